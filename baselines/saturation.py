@@ -1,0 +1,55 @@
+"""Section III-D: the saturation functions (25)-(37) that build the constraints into the dynamics."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+
+class Saturation(NamedTuple):
+    """The smooth saturation psi1 of (27) at some xi, with its derivatives."""
+
+    value: Any
+    slope: Any  # d psi1 / d xi
+    curvature: Any  # d² psi1 / d xi²
+    third: Any  # d³ psi1 / d xi³
+
+
+def psi1(xi: Any, bounds: tuple[float, float]) -> Saturation:
+    """Equation (27): smooth, strictly increasing, within its bounds (in rad), with slope 1 at xi = 0.
+
+    Written with sigma = 1 / (1 + exp(-m xi)), psi1 = psi1⁻ + (psi1⁺ - psi1⁻) sigma, which is the same
+    function, does not overflow, and has derivatives that are polynomials in sigma.
+    """
+    low, high = bounds
+    m = 4.0 / (high - low)
+    sigma = 0.5 * (1.0 + np.tanh(0.5 * m * xi))
+    slope = 4.0 * sigma * (1.0 - sigma)
+    return Saturation(
+        value=low + (high - low) * sigma,
+        slope=slope,
+        curvature=m * slope * (1.0 - 2.0 * sigma),
+        third=m**2 * slope * (1.0 - 6.0 * sigma * (1.0 - sigma)),
+    )
+
+
+def psi1_inverse(y: Any, bounds: tuple[float, float]) -> Any:
+    """Equation (35): the xi at which psi1 takes the value y, for y strictly between the bounds."""
+    low, high = bounds
+    return (high - low) / 4.0 * np.log((y - low) / (high - y))
+
+
+def ramp(v: Any, bounds: tuple[Any, Any]) -> Any:
+    """Equations (34) and (37): psi2 and psi3, the identity between the bounds."""
+    return np.clip(v, *bounds)
+
+
+def psi2_bounds(ddy2_bounds: tuple[Any, Any], saturation: Saturation, xi2: Any) -> tuple[Any, Any]:
+    """Equation (33): bounds of d xi2/dt that keep the pitch's second derivative within (23)."""
+    ddy2_min, ddy2_max = ddy2_bounds
+    bend = saturation.curvature * xi2**2
+    return (ddy2_min - bend) / saturation.slope, (ddy2_max - bend) / saturation.slope
+
+
+def ddy2(saturation: Saturation, xi2: Any, dxi2: Any) -> Any:
+    """Equation (30): second derivative of y2 = psi1(xi1)."""
+    return saturation.curvature * xi2**2 + saturation.slope * dxi2

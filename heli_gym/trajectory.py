@@ -1,0 +1,147 @@
+"""Maneuver (what is asked for) and Trajectory (a plan or a flight)."""
+
+import math
+import os
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from heli_gym.model import hover_input, thrust, voltage
+from heli_gym.parameters import HelicopterParameters, Limits
+
+
+@dataclass(frozen=True)
+class Maneuver:
+    """A transition between two set-points at rest with zero pitch, (5). The defaults are the paper's (8), (9).
+
+    Args:
+        start: travel and elevation in rad at the start.
+        goal: travel and elevation in rad at the end.
+        duration: transition time T in s.
+        limits: voltages and pitch that the plan may use, (6) and (7).
+        parameters: the helicopter that flies.
+
+    Raises:
+        ValueError: if a value is not finite, the duration is not positive, or hover at the start or at
+            the goal needs voltages outside the limits.
+    """
+
+    start: tuple[float, float] = (0.0, 0.0)
+    goal: tuple[float, float] = (2.0 * math.pi, 0.0)
+    duration: float = 10.0
+    limits: Limits = field(default_factory=Limits)
+    parameters: HelicopterParameters = field(default_factory=HelicopterParameters)
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.duration) and self.duration > 0.0):
+            raise ValueError(f"duration = {self.duration!r}: a positive, finite number of seconds is needed")
+        for name in ("start", "goal"):
+            point = np.asarray(getattr(self, name), dtype=float)
+            if point.shape != (2,) or not np.isfinite(point).all():
+                raise ValueError(f"{name} = {getattr(self, name)!r}: finite (travel, elevation) in rad are needed")
+            object.__setattr__(self, name, (float(point[0]), float(point[1])))
+            elevation = float(point[1])
+            thrust_sum = float(hover_input(elevation, self.parameters)[0])
+            low, high = 2.0 * thrust(self.limits.u, self.parameters)
+            if abs(elevation) >= math.pi / 2 or not low < thrust_sum < high:
+                hover_voltage = float(voltage(0.5 * thrust_sum, self.parameters))
+                raise ValueError(
+                    f"{name} = {getattr(self, name)!r}: hover at elevation {math.degrees(elevation):.2f} deg takes "
+                    f"{hover_voltage:.2f} V on each motor, and the limits are {self.limits.u_min:g} to "
+                    f"{self.limits.u_max:g} V"
+                )
+
+    def __str__(self) -> str:
+        (travel, elevation), (new_travel, new_elevation) = np.degrees(self.start), np.degrees(self.goal)
+        return (
+            f"travel {travel:g} to {new_travel:g} deg, elevation {elevation:g} to {new_elevation:g} deg "
+            f"in {self.duration:g} s within {self.limits}"
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """States and voltages over time: a plan or a flight.
+
+    Args:
+        t: (K,) times in s, increasing from 0.
+        x: (6, K) states (44) in rad and rad/s.
+        u: (2, K) voltages (front, back) in V.
+        limits: the limits it was planned under, (9) by default.
+
+    Raises:
+        ValueError: if a shape does not fit, a value is not finite, or t does not increase from 0.
+    """
+
+    t: np.ndarray
+    x: np.ndarray
+    u: np.ndarray
+    limits: Limits = field(default_factory=Limits)
+
+    def __post_init__(self) -> None:
+        for name in ("t", "x", "u"):
+            value = np.array(getattr(self, name), dtype=float)
+            value.setflags(write=False)
+            object.__setattr__(self, name, value)
+        n = len(self.t) if self.t.ndim == 1 else 0
+        for name, shape in (("t", (n,)), ("x", (6, n)), ("u", (2, n))):
+            value = getattr(self, name)
+            if value.shape != shape or n < 2:
+                raise ValueError(f"{name} has shape {value.shape}: t (K,), x (6, K), u (2, K) with K >= 2 are needed")
+            if not np.isfinite(value).all():
+                raise ValueError(f"{name} is not finite")
+        if self.t[0] != 0.0 or not (np.diff(self.t) > 0.0).all():
+            raise ValueError("t must increase from 0")
+
+    @property
+    def duration(self) -> float:
+        """Time of the last sample in s."""
+        return float(self.t[-1])
+
+    def __call__(self, t: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """State (6, ...) and voltages (2, ...) at the times t in s; before and after, the ends are held.
+
+        Angles by cubic Hermite interpolation of angles and rates, rates by its derivative (so that the
+        one stays the derivative of the other), voltages linearly (so that limits are kept in between).
+        """
+        times = np.clip(np.asarray(t, dtype=float), 0.0, self.duration)
+        k = np.clip(np.searchsorted(self.t, times, side="right") - 1, 0, len(self.t) - 2)
+        h = self.t[k + 1] - self.t[k]
+        s = (times - self.t[k]) / h
+        q, dq = self.x[0::2], self.x[1::2]
+        rise, start, end = q[:, k + 1] - q[:, k], h * dq[:, k], h * dq[:, k + 1]
+        a, b = 3.0 * rise - 2.0 * start - end, start + end - 2.0 * rise
+        x = np.empty((6, *times.shape))
+        x[0::2] = q[:, k] + s * (start + s * (a + s * b))
+        x[1::2] = (start + s * (2.0 * a + 3.0 * s * b)) / h
+        u = (1.0 - s) * self.u[:, k] + s * self.u[:, k + 1]
+        return x, u
+
+    def save(self, path: str | os.PathLike) -> None:
+        """Write to an .npz file, atomically and without pickle."""
+        path = Path(path)
+        if path.suffix != ".npz":
+            raise ValueError(f"path = {str(path)!r}: a name that ends in .npz is needed")
+        limits = np.array([*self.limits.u, *self.limits.pitch])
+        with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".tmp", delete=False) as file:
+            try:
+                np.savez_compressed(file, t=self.t, x=self.x, u=self.u, limits=limits)
+                file.flush()
+                os.fsync(file.fileno())
+                os.replace(file.name, path)
+            except BaseException:
+                os.unlink(file.name)
+                raise
+
+    @classmethod
+    def load(cls, path: str | os.PathLike) -> "Trajectory":
+        """Read what `save` wrote. Raises ValueError if the file is something else."""
+        try:
+            with np.load(path, allow_pickle=False) as data:
+                return cls(data["t"], data["x"], data["u"], Limits(*(float(limit) for limit in data["limits"])))
+        except OSError:
+            raise
+        except Exception as error:
+            raise ValueError(f"path = {str(path)!r} holds no trajectory: {error}") from error
