@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.linalg import solve_continuous_are
 
 from heli_gym.model import hover_input, linearise, thrust, virtual_input
@@ -24,10 +25,10 @@ class Gains:
     K: np.ndarray
     P: np.ndarray
 
-    def __call__(self, t: float) -> np.ndarray:
-        """K (2, 6) at the time t in s, linear in between; before and after, the ends are held."""
-        s = min(max(t / self.t[1], 0.0), len(self.t) - 1.0)
-        k = min(int(s), len(self.t) - 2)
+    def __call__(self, t: ArrayLike) -> np.ndarray:
+        """K (2, 6, ...) at the times t in s, linear in between; before and after, the ends are held."""
+        s = np.clip(np.asarray(t, dtype=float) / self.t[1], 0.0, len(self.t) - 1.0)
+        k = np.minimum(s.astype(int), len(self.t) - 2)
         return (k + 1 - s) * self.K[:, :, k] + (s - k) * self.K[:, :, k + 1]
 
 
@@ -35,6 +36,14 @@ def stationary_cost(elevation: float, parameters: HelicopterParameters, Q: np.nd
     """P (6, 6) of the stationary regulator at hover at an elevation in rad, by the algebraic Riccati equation."""
     A, B = linearise([0.0, 0.0, elevation, 0.0, 0.0, 0.0], hover_input(elevation, parameters), parameters)
     return solve_continuous_are(A, B, Q, R)
+
+
+def stationary_gain(
+    elevation: float, parameters: HelicopterParameters, Q: np.ndarray = Q, R: np.ndarray = R
+) -> np.ndarray:
+    """Gain K (2, 6) of the stationary regulator at hover at an elevation in rad."""
+    _, B = linearise([0.0, 0.0, elevation, 0.0, 0.0, 0.0], hover_input(elevation, parameters), parameters)
+    return np.linalg.solve(R, B.T @ stationary_cost(elevation, parameters, Q, R))
 
 
 def check_weight(name: str, weight: np.ndarray, size: int, definite: bool) -> None:

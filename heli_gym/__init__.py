@@ -1,7 +1,14 @@
-"""The 3-DOF laboratory helicopter of Kiefer, Graichen and Kugi as a Gymnasium environment."""
+"""The 3-DOF laboratory helicopter of Kiefer, Graichen and Kugi as a Gymnasium environment.
+
+Importing it registers `Heli3DOF-v0`.
+"""
+
+from gymnasium import register
 
 from heli_gym.model import dynamics, linearise, thrust, voltage
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.trajectory import Maneuver, Trajectory
 
 __all__ = ["HelicopterParameters", "Limits", "Maneuver", "Trajectory", "dynamics", "linearise", "thrust", "voltage"]
+
+register(id="Heli3DOF-v0", entry_point="heli_gym.env:Heli3DOFEnv")

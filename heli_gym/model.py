@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike
 from heli_gym.parameters import HelicopterParameters
 
 STATE_NAMES = ("travel", "travel rate", "elevation", "elevation rate", "pitch", "pitch rate")
-ANGLES = (0, 2, 4)  # the rows of travel, elevation and pitch
 
 
 def thrust(u: ArrayLike, parameters: HelicopterParameters = HelicopterParameters()) -> Any:
@@ -28,14 +27,14 @@ def voltage(f: ArrayLike, parameters: HelicopterParameters = HelicopterParameter
     return np.sign(f) * np.sqrt(f / np.where(f >= 0.0, parameters.k_plus, parameters.k_minus))
 
 
-def virtual_input(f: Any) -> Any:
+def virtual_input(f: Any) -> tuple:
     """Equation (4): sum and difference v = (v1, v2) of the thrusts f = (f_f, f_b), in N."""
-    return np.stack((f[0] + f[1], f[0] - f[1]))
+    return f[0] + f[1], f[0] - f[1]
 
 
-def fan_thrusts(v: Any) -> Any:
+def fan_thrusts(v: Any) -> tuple:
     """The inverse of (4): thrusts f = (f_f, f_b) with the sum and difference v = (v1, v2), in N."""
-    return np.stack((0.5 * (v[0] + v[1]), 0.5 * (v[0] - v[1])))
+    return 0.5 * (v[0] + v[1]), 0.5 * (v[0] - v[1])
 
 
 def dynamics(x: Any, v: Any, parameters: HelicopterParameters, sin: Any = np.sin, cos: Any = np.cos) -> tuple:

@@ -1,0 +1,251 @@
+"""Heli3DOF-v0: one helicopter that is to follow a reference."""
+
+import inspect
+import math
+from pathlib import Path
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+from gymnasium.spaces import Box
+from numpy.typing import ArrayLike
+
+from heli_gym import task
+from heli_gym.model import rk4_step, thrust, virtual_input
+from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
+from heli_gym.plant import Plant, find_plant
+from heli_gym.trajectory import Trajectory
+
+REFERENCES = Path(__file__).parent / "references"
+LONGEST_PERIOD = 0.05  # s, up to which one Runge-Kutta step is accurate to 1e-8
+
+
+def find_reference(reference: str | Trajectory) -> Trajectory:
+    """A reference by the name of a packaged one, by the path of an .npz file, or the trajectory itself.
+
+    Raises ValueError for an unknown name, or a file that holds no trajectory.
+    """
+    if isinstance(reference, Trajectory):
+        return reference
+    path = Path(reference) if str(reference).endswith(".npz") else REFERENCES / f"{reference}.npz"
+    if not path.is_file():
+        names = ", ".join(sorted(repr(known.stem) for known in REFERENCES.glob("*.npz")))
+        raise ValueError(
+            f"reference = {reference!r}: a Trajectory, the path of an existing .npz file or one of {names} is needed"
+        )
+    return Trajectory.load(path)
+
+
+class Heli3DOFEnv(gym.Env):
+    """
+    ## Description
+
+    A laboratory helicopter with three degrees of freedom: an arm that turns about a vertical axis (travel) and a
+    horizontal one (elevation) carries a counterweight at one end and, at the other, a body with two fans that turns
+    about the arm (pitch). Pitch tilts the thrust and so drives the travel: three angles, two voltages, an
+    underactuated system. It is to follow a reference: by default the 360 degree travel rotation in 10 s of
+    Kiefer, Graichen and Kugi, "Trajectory tracking of a 3DOF laboratory helicopter under input and state
+    constraints" (IEEE Transactions on Control Systems Technology 18(4), 2010), planned within 1 to 11 V and
+    50 degrees of pitch. Equation numbers are the paper's.
+
+    The model is (3) with the thrust map (2), integrated by one Runge-Kutta step of order four per control period.
+
+    ## Action Space
+
+    A `Box(-1, 1, (2,), float32)`: the voltages of the two fans, -1 and 1 being the amplifier's limits. Beyond them the
+    amplifier saturates. NaN, infinity or a wrong shape is a `ValueError`.
+
+    | Num | Action           | Min | Max | Voltage at min | Voltage at max | Hover  |
+    |-----|------------------|-----|-----|----------------|----------------|--------|
+    | 0   | front fan, `u_f` | -1  | 1   | 0 V            | 12 V           | 7.89 V |
+    | 1   | back fan, `u_b`  | -1  | 1   | 0 V            | 12 V           | 7.89 V |
+
+    ## Observation Space
+
+    A `Box` of 47 float32 values: the tracking error, then the reference and its nominal voltages now and 0.1, 0.2, 0.4
+    and 0.8 s ahead, then the remaining time. On this plant that makes the task Markov. The bounds follow from the
+    greatest acceleration that the model and the amplifier allow, so that nothing is clipped.
+
+    | Num    | Observation                                            | Unit  |
+    |--------|--------------------------------------------------------|-------|
+    | 0      | travel minus reference                                 | rad   |
+    | 1      | travel rate minus reference                            | rad/s |
+    | 2      | elevation minus reference (positive is down)           | rad   |
+    | 3      | elevation rate minus reference                         | rad/s |
+    | 4      | pitch minus reference                                  | rad   |
+    | 5      | pitch rate minus reference                             | rad/s |
+    | 6-11   | reference state now, in the order of 0-5               | rad, rad/s |
+    | 12-13  | nominal voltages (front, back) now                     | V     |
+    | 14-21  | the same as 6-13, 0.1 s ahead                          |       |
+    | 22-29  | 0.2 s ahead                                            |       |
+    | 30-37  | 0.4 s ahead                                            |       |
+    | 38-45  | 0.8 s ahead                                            |       |
+    | 46     | remaining time                                         | s     |
+
+    `info["state"]` is the true state (44), `info["measurement"]` is what a controller may use (on this plant the same),
+    `info["time"]` the time in s; after a step, `info["voltage"]` the voltages that were applied and `info["cost"]` how
+    far voltages and pitch were outside the limits that the reference was planned under, in widths of these limits times
+    seconds.
+
+    ## Rewards
+
+    `control_period / (1 + e² + d²)` per step, where `e²` is the sum of the squared tracking errors, each in units of
+    its tolerance, and `d²` the sum of the squared voltage deviations from the nominal ones, in units of 6 V. The
+    tolerances are 3 degrees in travel and elevation, 6 degrees in pitch, and 6, 6 and 30 degrees/s in the rates.
+    A return thus counts seconds flown on the reference, 10 at best, and flying on always pays.
+
+    ## Starting State
+
+    The reference's start, at rest. With `start_spread_deg`, each of the three angles is drawn uniformly within that
+    distance of it. `reset(options={"state": x})` starts at the state x (6,) instead, within 1 rad and 1 rad/s of the
+    reference's start.
+
+    ## Episode End
+
+    Terminated when the pitch leaves `±pitch_limit`. Truncated when the maneuver is over. Then `info["is_success"]`
+    tells whether the maneuver was flown to its end and every tracking error is within its tolerance.
+
+    ## Arguments
+
+    - `plant`: "nominal", or a `heli_gym.plant.Plant`.
+    - `reference`: the name of a packaged reference ("travel-360"), the path of an .npz file that `Trajectory.save`
+      wrote, or a `Trajectory`.
+    - `control_period`: seconds between actions, up to 0.05. The paper's is 0.001.
+    - `pitch_limit`: rad, where the flight ends.
+    - `voltage_limits`: V, the amplifier's (min, max).
+    - `start_spread_deg`: degrees, see Starting State.
+
+    All are plain values, so that a spec survives JSON, or objects. Bad ones raise a `ValueError` that names them.
+
+    ## Version History
+
+    - v0: first version.
+    """
+
+    metadata: dict[str, Any] = {"render_modes": []}  # noqa: RUF012
+
+    def __init__(
+        self,
+        plant: str | Plant = "nominal",
+        reference: str | Trajectory = "travel-360",
+        control_period: float = 0.02,
+        pitch_limit: float = PITCH_STOP,
+        voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS,
+        start_spread_deg: float = 0.0,
+        render_mode: str | None = None,
+        **unknown: Any,
+    ) -> None:
+        if unknown:
+            known = ", ".join(inspect.signature(Heli3DOFEnv).parameters).removesuffix(", unknown")
+            raise ValueError(f"{', '.join(f'{k} = {v!r}' for k, v in unknown.items())}: the arguments are {known}")
+        if render_mode is not None:
+            raise ValueError(f"render_mode = {render_mode!r}: None is all there is")
+        self.render_mode = render_mode
+        self.plant = find_plant(plant)
+        self.reference = find_reference(reference)
+        self.control_period = _number("control_period", control_period, "s", 0.0, LONGEST_PERIOD)
+        steepest = float(np.abs(self.reference.x[4]).max())
+        self.pitch_limit = _number("pitch_limit", pitch_limit, "rad", steepest, np.pi / 2)
+        self.voltage_limits = _pair("voltage_limits", voltage_limits)
+        room = np.degrees(min(self.pitch_limit - abs(self.reference.x[4, 0]), task.FARTHEST_START[0]))
+        self.start_spread_deg = _number("start_spread_deg", start_spread_deg, "deg", 0.0, room, or_least=True)
+
+        # One row per control step, and plain floats for one helicopter: many times faster than small arrays.
+        x_ref, u_ref = task.control_grid(self.reference, self.control_period)
+        features = task.reference_features(self.reference, self.control_period).astype(np.float32)
+        self.x_ref, self.u_ref = x_ref.T.tolist(), u_ref.T.tolist()
+        self.features = np.ascontiguousarray(features.T)
+        self.last_step = len(self.x_ref) - 1
+        bound = task.observation_bound(
+            features,
+            self.plant.parameters,
+            self.voltage_limits,
+            self.pitch_limit,
+            self.reference.duration,
+            self.control_period,
+        ).astype(np.float32)
+        self.observation_space = Box(-bound, bound, dtype=np.float32)
+        self.action_space = Box(-1.0, 1.0, (2,), dtype=np.float32)
+        self.over = True
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[np.ndarray, dict[str, Any]]:
+        """To the start of the reference; see Starting State for the options. Raises ValueError for others."""
+        super().reset(seed=seed)
+        self.state = self._start(options or {})
+        self.step_count = 0
+        self.over = False
+        return self._observation(self._error()), self._info()
+
+    def step(self, action: ArrayLike) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
+        """One control period with the voltages held. Raises ValueError for an action that is not two finite numbers."""
+        if self.over:
+            raise gym.error.ResetNeeded("the episode is over: call reset before step")
+        parameters = self.plant.parameters
+        u = self._amplified(action)
+        du = [applied - nominal for applied, nominal in zip(u, self.u_ref[self.step_count])]
+        v = virtual_input(thrust(u, parameters).tolist())
+        self.state = rk4_step(self.state, v, parameters, self.control_period, math.sin, math.cos)
+        self.step_count += 1
+
+        error = self._error()
+        pitch = self.state[4]
+        terminated = task.crashed(pitch, self.pitch_limit)
+        truncated = not terminated and self.step_count == self.last_step
+        self.over = terminated or truncated
+        info = self._info()
+        info["voltage"] = np.array(u)
+        info["cost"] = self.control_period * task.cost(pitch, u, self.reference.limits)
+        if self.over:
+            info["is_success"] = truncated and bool(task.succeeded(error))
+        return self._observation(error), self.control_period * task.reward(error, du), terminated, truncated, info
+
+    def _start(self, options: dict[str, Any]) -> tuple:
+        unknown = set(options) - {"state"}
+        if unknown:
+            raise ValueError(f"options = {options!r}: only 'state' is known")
+        start = np.array(self.x_ref[0])
+        if "state" not in options:
+            spread = math.radians(self.start_spread_deg)
+            start[0::2] += self.np_random.uniform(-spread, spread, 3)
+            return tuple(start.tolist())
+        state = np.asarray(options["state"], dtype=float)
+        near = state.shape == (6,) and np.isfinite(state).all() and (abs(state - start) <= task.FARTHEST_START).all()
+        if not near or task.crashed(state[4], self.pitch_limit):
+            raise ValueError(
+                f"options['state'] = {options['state']!r}: six finite numbers, at most 1 rad and 1 rad/s from the "
+                f"reference's start {start} and with the pitch within {self.pitch_limit:g} rad, are needed"
+            )
+        return tuple(state.tolist())
+
+    def _amplified(self, action: ArrayLike) -> list[float]:
+        """The two voltages that the amplifier gives for an action: it saturates, which is all that is ever clipped."""
+        values = np.asarray(action, dtype=float)
+        if values.shape != (2,) or not all(map(math.isfinite, values.tolist())):
+            raise ValueError(f"action = {action!r}: two finite numbers are needed")
+        low, high = self.voltage_limits
+        return [min(max(task.to_voltage(value, self.voltage_limits), low), high) for value in values.tolist()]
+
+    def _error(self) -> list[float]:
+        return [value - nominal for value, nominal in zip(self.state, self.x_ref[self.step_count])]
+
+    def _observation(self, error: list[float]) -> np.ndarray:
+        return np.concatenate((np.array(error, dtype=np.float32), self.features[self.step_count]))
+
+    def _info(self) -> dict[str, Any]:
+        state = np.array(self.state)
+        return {"state": state, "measurement": state.copy(), "time": self.step_count * self.control_period}
+
+
+def _number(name: str, value: float, unit: str, low: float, high: float, or_least: bool = False) -> float:
+    """The value, if it is in (low, high] (or [low, high])."""
+    if not (low < value <= high or (or_least and value == low)):
+        raise ValueError(f"{name} = {value!r}: more than {low:g} and at most {high:g} {unit} is needed")
+    return float(value)
+
+
+def _pair(name: str, value: tuple[float, float]) -> tuple[float, float]:
+    if np.shape(value) != (2,) or not np.isfinite(value).all() or not value[0] < value[1]:
+        raise ValueError(f"{name} = {value!r}: (min, max) in V with min < max is needed")
+    return float(value[0]), float(value[1])

@@ -1,0 +1,120 @@
+"""What the environment asks for: action, observation, reward, cost, termination and success.
+
+Pure functions that broadcast: components first, floats or arrays alike.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from heli_gym.model import thrust
+from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.trajectory import Trajectory
+
+PREVIEW = (0.0, 0.1, 0.2, 0.4, 0.8)  # s ahead, at which the observation shows the reference
+
+# The tracking error (travel, elevation, pitch, each with its rate; rad and rad/s) that counts as one in the reward,
+# and within which the flight has succeeded at its end.
+TOLERANCE = tuple(math.radians(degrees) for degrees in (3.0, 6.0, 3.0, 6.0, 6.0, 30.0))
+EFFORT_TOLERANCE = 6.0  # V, from the nominal voltage, likewise
+
+FARTHEST_START = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # rad and rad/s, between a start and the reference's
+
+
+def to_voltage(action: Any, voltage_limits: tuple[float, float]) -> Any:
+    """Voltages in V of actions: -1 and 1 are the amplifier's limits."""
+    low, high = voltage_limits
+    return 0.5 * (low + high) + 0.5 * (high - low) * action
+
+
+def to_action(u: Any, voltage_limits: tuple[float, float]) -> Any:
+    """Actions of voltages in V, the inverse of `to_voltage`."""
+    low, high = voltage_limits
+    return (u - 0.5 * (low + high)) / (0.5 * (high - low))
+
+
+def reward(error: Any, du: Any) -> Any:
+    """One second's reward, in (0, 1], at a tracking error (6, ...) in rad and rad/s and voltages du (2, ...) in V from
+    the nominal ones.
+
+    1 on the reference, 1/2 where the squares of all errors, each in units of its tolerance, add up to 1. It is never
+    negative, so that ending an episode early never pays, and falls slowly, so that it tells better from worse far away.
+    """
+    squares = sum((e / tolerance) ** 2 for e, tolerance in zip(error, TOLERANCE))
+    return 1.0 / (1.0 + squares + sum((d / EFFORT_TOLERANCE) ** 2 for d in du))
+
+
+def cost(pitch: Any, u: Any, limits: Limits) -> Any:
+    """How far pitch in rad and voltages u (2, ...) in V are outside the limits (9), in widths of the limits."""
+    return _excess(pitch, limits.pitch) + sum(_excess(voltage, limits.u) for voltage in u)
+
+
+def _excess(value: Any, bounds: tuple[float, float]) -> Any:
+    low, high = bounds
+    outside = abs(value - 0.5 * (low + high)) - 0.5 * (high - low)
+    return 0.5 * (outside + abs(outside)) / (high - low)
+
+
+def crashed(pitch: Any, pitch_limit: float) -> Any:
+    """Whether the pitch in rad has left the plant's limit, which ends the flight."""
+    return abs(pitch) > pitch_limit
+
+
+def succeeded(error: Any) -> Any:
+    """Whether a tracking error (6, ...) at the end of the maneuver is within the tolerances on every axis."""
+    return np.all([abs(e) <= tolerance for e, tolerance in zip(error, TOLERANCE)], axis=0)
+
+
+def control_steps(duration: float, control_period: float) -> int:
+    """How many control periods a maneuver takes; the last one may outlast it."""
+    return math.ceil(duration / control_period - 1e-9)
+
+
+def control_grid(reference: Trajectory, control_period: float, ahead: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+    """A reference on the grid of a controller with this period in s: states (6, K + 1) and voltages (2, K + 1).
+
+    With `ahead`, that many seconds early.
+    States at the start of each period, voltages in its middle: an input that is held for a period is half a period
+    late on average, and this makes up for it.
+    """
+    t = ahead + control_period * np.arange(control_steps(reference.duration, control_period) + 1)
+    return reference(t)[0], reference(t + 0.5 * control_period)[1]
+
+
+def reference_features(reference: Trajectory, control_period: float) -> np.ndarray:
+    """What the observation shows of the reference at each control step: (8 len(PREVIEW) + 1, K + 1).
+
+    State and nominal voltages at each time of PREVIEW ahead, then the remaining time.
+    """
+    seen = [row for ahead in PREVIEW for row in control_grid(reference, control_period, ahead)]
+    t = control_period * np.arange(seen[0].shape[1])
+    return np.concatenate((*seen, np.maximum(reference.duration - t, 0.0)[None]))
+
+
+def observation_bound(
+    features: np.ndarray,
+    parameters: HelicopterParameters,
+    voltage_limits: tuple[float, float],
+    pitch_limit: float,
+    duration: float,
+    control_period: float,
+) -> np.ndarray:
+    """Bounds (6 + features,) on the absolute value of the observation that no flight can exceed.
+
+    Rates grow by the greatest acceleration that (3) and the amplifier allow, for the whole duration; pitch ends the
+    flight at its limit, one control period late at most.
+    """
+    p = parameters
+    v_max = 2.0 * np.abs(thrust(voltage_limits, p)).max()
+    acceleration = np.array(
+        [abs(p.b1) * v_max, abs(p.a1) + abs(p.a2) + abs(p.b2) * v_max, abs(p.a3) + abs(p.b3) * v_max]
+    )
+    start, start_rate = np.array(FARTHEST_START[0::2]), np.array(FARTHEST_START[1::2])
+    rate = start_rate + acceleration * duration
+    angle = start + (start_rate + 0.5 * acceleration * duration) * duration
+    angle[2] = pitch_limit + rate[2] * control_period
+    shown = np.abs(features).max(axis=1)
+    # a start may differ from the reference's, whatever that is; then both are added
+    reached = shown[:6] + np.stack((angle, rate), axis=1).ravel()
+    return np.concatenate((shown[:6] + reached, shown))
