@@ -6,7 +6,7 @@ from typing import Protocol
 
 import numpy as np
 
-from baselines.tvlqr import riccati_gains, stationary_gain
+from baselines.tvlqr import Q, R, riccati_gains, stationary_gain
 from heli_gym.model import fan_thrusts, hover_input, thrust, virtual_input, voltage
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.task import control_grid
@@ -64,11 +64,17 @@ def open_loop(reference: Trajectory, control_period: float, parameters: Helicopt
     return TrackingPolicy(x, v, np.zeros((2, *x.shape)), parameters, control_period)
 
 
-def feedforward_tvlqr(reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> TrackingPolicy:
+def feedforward_tvlqr(
+    reference: Trajectory,
+    control_period: float,
+    parameters: HelicopterParameters,
+    Q: np.ndarray = Q,
+    R: np.ndarray = R,
+) -> TrackingPolicy:
     """The paper's controller: the feedforward of Section III-D and the time-varying regulator of Section III-E."""
     feedforward = open_loop(reference, control_period, parameters)
     times = control_period * np.arange(feedforward.x.shape[1])
-    gains = riccati_gains(reference, parameters)(times)
+    gains = riccati_gains(reference, parameters, Q, R)(times)
     return TrackingPolicy(feedforward.x, feedforward.v, gains, parameters, control_period)
 
 

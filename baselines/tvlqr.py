@@ -4,13 +4,14 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.linalg import solve_continuous_are
+from scipy.linalg import expm, solve_continuous_are
 
 from heli_gym.model import hover_input, linearise, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.trajectory import Trajectory
 
 STEP = 0.01  # s, at most, of the Riccati integration
+GAUSS = 0.5 - np.sqrt(3.0) / 6.0, 0.5 + np.sqrt(3.0) / 6.0  # where each step evaluates the linearisation
 
 # The weights of (49), which the paper does not give.
 Q = np.diag([40.0, 20.0, 40.0, 20.0, 1.0, 0.5])  # per rad² and (rad/s)²
@@ -67,6 +68,8 @@ def riccati_gains(
     """Gains (51) along a reference, by the Riccati equation (50) integrated backwards from P(T) = M.
 
     The gains act on v, not on u: the model is linear in v, while the thrust map (2) is quadratic.
+    Integrated by the Magnus expansion of order four of the Hamiltonian system, which is exact where the linearisation
+    is constant, keeps P positive semidefinite and does not mind how stiff the weights make (50).
 
     Args:
         reference: what is flown; its duration is T.
@@ -79,29 +82,37 @@ def riccati_gains(
     """
     if M is None:
         M = stationary_cost(reference.x[2, -1], parameters, Q, R)
+    Q, R, M = (np.asarray(weight, dtype=float) for weight in (Q, R, M))
     for name, weight, size, definite in (("Q", Q, 6, False), ("R", R, 2, True), ("M", M, 6, False)):
         check_weight(name, weight, size, definite)
 
+    def linearised(times):
+        x, u = reference(times)
+        A, B = linearise(x, virtual_input(thrust(u, parameters)), parameters)
+        return np.moveaxis(A, -1, 0), np.moveaxis(B, -1, 0)
+
     steps = int(np.ceil(reference.duration / STEP))
-    t = np.linspace(0.0, reference.duration, 2 * steps + 1)  # with the midpoints that RK4 needs
-    x, u = reference(t)
-    A, B = linearise(x, virtual_input(thrust(u, parameters)), parameters)
-    A, B = np.moveaxis(A, -1, 0), np.moveaxis(B, -1, 0)
-    BRB = B @ np.linalg.solve(R, B.transpose(0, 2, 1))
-
-    def minus_dP(P, k):
-        PA = P @ A[k]
-        return PA + PA.T + Q - P @ BRB[k] @ P
-
+    t = np.linspace(0.0, reference.duration, steps + 1)
+    h = t[1]
+    early, late = (hamiltonian(linearised(t[:-1] + c * h), Q, R) for c in GAUSS)
+    transitions = expm(-0.5 * h * (early + late) - np.sqrt(3.0) / 12.0 * h**2 * (late @ early - early @ late))
     P = np.empty((steps + 1, 6, 6))
     P[steps] = M
-    h = t[2]
     for n in range(steps, 0, -1):
-        k = 2 * n
-        d1 = minus_dP(P[n], k)
-        d2 = minus_dP(P[n] + 0.5 * h * d1, k - 1)
-        d3 = minus_dP(P[n] + 0.5 * h * d2, k - 1)
-        d4 = minus_dP(P[n] + h * d3, k - 2)
-        P[n - 1] = P[n] + h / 6.0 * (d1 + 2.0 * (d2 + d3) + d4)
-    K = np.linalg.solve(R, B[::2].transpose(0, 2, 1) @ P)
-    return Gains(t[::2], np.moveaxis(K, 0, -1), np.moveaxis(P, 0, -1))
+        XL = transitions[n - 1] @ np.concatenate((np.eye(6), P[n]))
+        P[n - 1] = np.linalg.solve(XL[:6].T, XL[6:].T)
+        P[n - 1] = 0.5 * (P[n - 1] + P[n - 1].T)
+    _, B = linearised(t)
+    K = np.linalg.solve(R, B.transpose(0, 2, 1) @ P)
+    return Gains(t, np.moveaxis(K, 0, -1), np.moveaxis(P, 0, -1))
+
+
+def hamiltonian(linearisation: tuple[np.ndarray, np.ndarray], Q: np.ndarray, R: np.ndarray) -> np.ndarray:
+    """Matrices (N, 12, 12) of the linear equation of which (50) is the quotient: P = L X^-1, d(X, L)/dt = H (X, L)."""
+    A, B = linearisation
+    H = np.empty((len(A), 12, 12))
+    H[:, :6, :6] = A
+    H[:, :6, 6:] = -B @ np.linalg.solve(R, B.transpose(0, 2, 1))
+    H[:, 6:, :6] = -Q
+    H[:, 6:, 6:] = -A.transpose(0, 2, 1)
+    return H

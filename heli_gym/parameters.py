@@ -2,11 +2,11 @@
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-Scalar: TypeAlias = float | np.ndarray  # a field that holds N values describes N helicopters
+Scalar: TypeAlias = Any  # a float, or (N,) values that describe N helicopters
 
 
 class HelicopterParameters(NamedTuple):

@@ -2,7 +2,6 @@
 
 import math
 import os
-import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -10,6 +9,7 @@ import numpy as np
 
 from heli_gym.model import hover_input, thrust, voltage
 from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.storage import atomic_write
 
 
 @dataclass(frozen=True)
@@ -125,15 +125,8 @@ class Trajectory:
         if path.suffix != ".npz":
             raise ValueError(f"path = {str(path)!r}: a name that ends in .npz is needed")
         limits = np.array([*self.limits.u, *self.limits.pitch])
-        with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".tmp", delete=False) as file:
-            try:
-                np.savez_compressed(file, t=self.t, x=self.x, u=self.u, limits=limits)
-                file.flush()
-                os.fsync(file.fileno())
-                os.replace(file.name, path)
-            except BaseException:
-                os.unlink(file.name)
-                raise
+        with atomic_write(path) as file:
+            np.savez_compressed(file, t=self.t, x=self.x, u=self.u, limits=limits)
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Trajectory":

@@ -1,0 +1,247 @@
+"""`heli-evaluate`: fly the policies, print one table, write results.json and the paper's figures."""
+
+import json
+import sys
+import time
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import tyro
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+from scipy.stats import bootstrap
+
+from baselines import figures
+from baselines.flight import fly
+from baselines.metrics import Metrics, flight_metrics
+from baselines.normal_form import thrust_bounds, v2_bounds
+from baselines.planner import plan, plan_unconstrained
+from baselines.policies import POLICIES, make_policy
+from baselines.tvlqr import riccati_gains
+from heli_gym.env import Heli3DOFEnv
+from heli_gym.storage import atomic_write
+from heli_gym.trajectory import Maneuver, Trajectory
+
+PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
+FIGURE_START_DEG = (-5.0, 5.0)  # travel and elevation off the reference, where the flights of Figs. 10 and 11 start
+CONFIDENCE = 0.95
+
+
+@dataclass
+class Args:
+    """Fly the policies along a reference: once from its start at the paper's sampling time of 1 ms, and in many
+    episodes from perturbed starts. Every policy flies the same episodes."""
+
+    policies: tuple[str, ...] = tuple(POLICIES)  # which to fly
+    reference: str = "travel-360"  # a packaged reference, or an .npz file that heli-plan wrote
+    plant: str = "nominal"  # what is flown
+    episodes: int = 10  # from perturbed starts
+    seed: int = 0  # of the first episode; the others count on from it
+    control_period: float = 0.02  # s, in these episodes
+    start_spread_deg: float = 5.0  # how far each angle of their starts may be off
+    out: Path = Path("out")  # folder for results.json and the figures
+    figures: bool = True  # whether to draw the paper's figures
+
+
+class Flight(NamedTuple):
+    """One row of results.json."""
+
+    policy: str
+    start: str
+    control_period: float
+    seed: int
+    wall_time: float  # s
+    metrics: Metrics
+
+
+def evaluate(args: Args, console: Console) -> list[Flight]:
+    """Fly every policy: once exactly, and then the episodes."""
+    if args.episodes < 1:
+        raise ValueError(f"episodes = {args.episodes}: at least 1 is needed")
+    exact = Heli3DOFEnv(args.plant, args.reference, PAPER_PERIOD)
+    perturbed = Heli3DOFEnv(args.plant, args.reference, args.control_period, start_spread_deg=args.start_spread_deg)
+    jobs = [(exact, "exact", policy, args.seed) for policy in args.policies]
+    jobs += [(perturbed, "perturbed", policy, args.seed + k) for policy in args.policies for k in range(args.episodes)]
+    policies = {
+        (env, name): make_policy(name, env.reference, env.control_period)
+        for env in (exact, perturbed)
+        for name in args.policies
+    }
+    flights = []
+    for env, start, name, seed in track(jobs, "flying", console=console):
+        began = time.perf_counter()
+        flight = fly(env, policies[env, name], seed=seed)
+        wall_time = time.perf_counter() - began
+        metrics = flight_metrics(flight, env.reference, env.voltage_limits)
+        flights.append(Flight(name, start, env.control_period, seed, wall_time, metrics))
+    return flights
+
+
+def summarise(flights: Sequence[Flight]) -> list[dict[str, Any]]:
+    """One entry per start and policy: the mean of every metric, with its bootstrapped confidence interval."""
+    groups = dict.fromkeys((flight.start, flight.policy) for flight in flights)
+    rows = []
+    for start, policy in groups:
+        group = [flight for flight in flights if (flight.start, flight.policy) == (start, policy)]
+        row: dict[str, Any] = {"start": start, "policy": policy, "episodes": len(group)}
+        for name in (*Metrics._fields, "wall_time"):
+            values = [flight.wall_time if name == "wall_time" else getattr(flight.metrics, name) for flight in group]
+            row[name] = with_interval(np.array(values, dtype=float))
+        rows.append(row)
+    return rows
+
+
+def with_interval(values: np.ndarray) -> dict[str, Any]:
+    """Mean of values (episodes, ...), and the bounds of its interval where there is something to resample."""
+    mean = values.mean(axis=0)
+    if len(values) < 2 or np.all(values == values[0]):
+        return {"mean": mean.tolist(), "interval": None}
+    interval = bootstrap(
+        (values,), np.mean, axis=0, confidence_level=CONFIDENCE, method="percentile", rng=np.random.default_rng(0)
+    ).confidence_interval
+    return {"mean": mean.tolist(), "interval": [interval.low.tolist(), interval.high.tolist()]}
+
+
+def results_table(rows: Iterable[dict[str, Any]], args: Args) -> Table:
+    """What is printed: means, and for the RMS errors half the width of the interval."""
+    table = Table(
+        title=f"{args.reference} on the plant {args.plant}: exact start at {PAPER_PERIOD * 1e3:g} ms, "
+        f"{args.episodes} starts up to {args.start_spread_deg:g}° off at {args.control_period * 1e3:g} ms",
+        caption="means; ± half the 95 % bootstrap interval; RMS errors over the time flown; cost: excess over the "
+        "planned limits, in their widths times s; return: seconds flown on the reference",
+    )
+    for name in ("start", "policy"):
+        table.add_column(name)
+    for name in (
+        "RMS travel\n(deg)",
+        "RMS elevation\n(deg)",
+        "RMS pitch\n(deg)",
+        "at the end\n(deg)",
+        "peak pitch\n(deg)",
+        "saturated\n(%)",
+        "cost\n(s)",
+        "return\n(s)",
+        "flown\n(s)",
+        "success\n(%)",
+        "wall time\n(s)",
+    ):
+        table.add_column(name, justify="right")
+    previous = None
+    for row in rows:
+        if previous not in (None, row["start"]):
+            table.add_section()
+        previous = row["start"]
+        mean = {name: value["mean"] for name, value in row.items() if isinstance(value, dict)}
+        interval = row["rms_error_deg"]["interval"]
+        rms = [f"{value:.4f}" if interval is None else f"{value:.2f}" for value in mean["rms_error_deg"]]
+        if interval is not None:
+            rms = [f"{value} ± {(high - low) / 2:.2f}" for value, low, high in zip(rms, *interval)]
+        table.add_row(
+            row["start"],
+            row["policy"],
+            *rms,
+            f"{max(mean['terminal_error_deg']):.3f}",
+            f"{mean['peak_pitch_deg']:.1f}",
+            f"{100 * mean['saturated']:.1f}",
+            f"{mean['cost']:.4f}",
+            f"{mean['episode_return']:.2f}",
+            f"{mean['flown']:.2f}",
+            f"{100 * mean['success']:.0f}",
+            f"{mean['wall_time']:.2f}",
+        )
+    return table
+
+
+def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: Maneuver) -> list[dict[str, Any]]:
+    """What the paper's text states of the maneuver, beside what this code computes."""
+    p, limits = maneuver.parameters, maneuver.limits
+    window = f"{limits.u_min:g} to {limits.u_max:g} V"
+    pitch_window = f"within ±{np.degrees(limits.pitch_max):g}°"
+
+    def pitch(trajectory):
+        return f"{np.degrees(trajectory.x[4].min()):.2f}° to {np.degrees(trajectory.x[4].max()):.2f}°"
+
+    def voltages(trajectory):
+        return f"{trajectory.u.min():.2f} to {trajectory.u.max():.2f} V"
+
+    statements = [
+        ("v2± of (18), Section III-D", "±0.58 N", f"±{v2_bounds(thrust_bounds(limits, p))[1]:.4f} N"),
+        ("|a3|/b3 of (43)", "0.11 N", f"{abs(p.a3) / p.b3:.4f} N"),
+        ("duration T of (8)", "10 s", f"{constrained.duration:g} s"),
+        ("pitch without constraints, Fig. 4", f"leaves ±{np.degrees(limits.pitch_max):g}°", pitch(unconstrained)),
+        ("voltages without constraints, Fig. 4", f"both exceed {limits.u_max:g} V", voltages(unconstrained)),
+        ("pitch with constraints, Fig. 8", pitch_window, pitch(constrained)),
+        ("voltages with constraints, Fig. 8", f"within {window}", voltages(constrained)),
+    ]
+    return [{"what": what, "paper": paper, "here": here} for what, paper, here in statements]
+
+
+def draw_figures(folder: Path, unconstrained: Trajectory, constrained: Trajectory, console: Console) -> None:
+    """Every figure of the paper but its photographs and schematics."""
+    maneuver = Maneuver()
+    parameters, limits = maneuver.parameters, maneuver.limits
+    env = Heli3DOFEnv(reference=constrained, control_period=PAPER_PERIOD)
+    start = constrained.x[:, 0].copy()
+    start[[0, 2]] += np.radians(FIGURE_START_DEG)
+    flights = {
+        name: fly(env, make_policy(name, constrained, PAPER_PERIOD), options={"state": start})
+        for name in ("open-loop", "feedforward+tvlqr")
+    }
+    drawings = {
+        "fig02-thrust-map": figures.thrust_map(parameters),
+        "fig04-unconstrained": figures.feedforward(unconstrained, parameters, "Fig. 4: without constraints"),
+        "fig05-input-constraints": figures.input_constraints(limits, parameters),
+        "fig06-smooth-saturation": figures.smooth_saturation(limits.pitch),
+        "fig07-ramp-saturation": figures.ramp_saturation(),
+        "fig08-constrained": figures.feedforward(constrained, parameters, "Fig. 8: with constraints"),
+        "fig09-gains": figures.gains(riccati_gains(constrained)),
+        "fig10-angles": figures.angles(constrained, flights),
+        "fig11-voltages": figures.voltages(constrained, flights),
+        "overview": figures.overview(constrained, {"feedforward+tvlqr": flights["feedforward+tvlqr"]}),
+    }
+    for name, figure in track(drawings.items(), "drawing", console=console):
+        figures.save(figure, folder / f"{name}.png")
+
+
+def main(args: Args | None = None) -> None:
+    """The command `heli-evaluate`."""
+    args = args or tyro.cli(Args, prog="heli-evaluate")
+    console = Console(width=None if sys.stdout.isatty() else 180)
+    try:
+        flights = evaluate(args, console)
+    except ValueError as error:
+        sys.exit(f"heli-evaluate: {error}")
+    rows = summarise(flights)
+    console.print(results_table(rows, args))
+
+    maneuver = Maneuver()
+    unconstrained, constrained = plan_unconstrained(maneuver), plan(maneuver)
+    numbers = paper_numbers(unconstrained, constrained, maneuver)
+    table = Table(title="The paper's numbers")
+    for name in ("what", "paper", "here"):
+        table.add_column(name)
+    for number in numbers:
+        table.add_row(*number.values())
+    console.print(table)
+
+    results = {
+        "version": version("heli-gym"),
+        "settings": {**asdict(args), "out": str(args.out)},
+        "paper": numbers,
+        "summary": rows,
+        "flights": [{**flight._asdict(), "metrics": flight.metrics._asdict()} for flight in flights],
+    }
+    with atomic_write(args.out / "results.json") as file:
+        file.write(json.dumps(results, indent=1).encode())
+    if args.figures:
+        draw_figures(args.out, unconstrained, constrained, console)
+    console.print(f"written to {args.out}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,66 @@
+"""`heli-plan`: plan a maneuver, print what it takes, save it and draw it."""
+
+import sys
+import time
+from dataclasses import dataclass
+from math import radians
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+import tyro
+from rich.console import Console
+
+from baselines import figures
+from baselines.planner import InfeasibleManeuver, plan
+from heli_gym.parameters import Limits
+from heli_gym.trajectory import Maneuver
+
+
+@dataclass
+class Args:
+    """Plan a maneuver from rest to rest. The defaults are the paper's 360° rotation, (8) and (9)."""
+
+    travel_deg: float = 360.0  # travel at the goal
+    elevation_deg: float = 0.0  # elevation at the goal, positive downwards
+    duration: float = 10.0  # s
+    start_travel_deg: float = 0.0  # travel at the start
+    start_elevation_deg: float = 0.0  # elevation at the start
+    pitch_limit_deg: float = 50.0  # on both sides
+    u_min: float = 1.0  # V
+    u_max: float = 11.0  # V
+    method: Literal["paper"] = "paper"
+    out: Path = Path("out/plan.npz")  # where the plan goes; its picture goes beside it
+    figure: bool = True  # whether to draw the picture
+
+
+def main(args: Args | None = None) -> None:
+    """The command `heli-plan`."""
+    args = args or tyro.cli(Args, prog="heli-plan")
+    console = Console()
+    began = time.perf_counter()
+    try:
+        maneuver = Maneuver(
+            start=(radians(args.start_travel_deg), radians(args.start_elevation_deg)),
+            goal=(radians(args.travel_deg), radians(args.elevation_deg)),
+            duration=args.duration,
+            limits=Limits(args.u_min, args.u_max, -radians(args.pitch_limit_deg), radians(args.pitch_limit_deg)),
+        )
+        trajectory = plan(maneuver, args.method)
+        console.print(f"{maneuver}: planned in {time.perf_counter() - began:.2f} s")
+        trajectory.save(args.out)
+    except (ValueError, InfeasibleManeuver) as error:
+        sys.exit(f"heli-plan: {error}")
+    pitch = np.degrees(trajectory.x[4])
+    console.print(
+        f"pitch {pitch.min():.2f}° to {pitch.max():.2f}°, voltages {trajectory.u.min():.2f} V to "
+        f"{trajectory.u.max():.2f} V\nplan: {args.out}"
+    )
+    if args.figure:
+        picture = args.out.with_suffix(".png")
+        figures.save(figures.feedforward(trajectory, maneuver.parameters, "Plan"), picture)
+        console.print(f"picture: {picture}")
+
+
+if __name__ == "__main__":
+    main()
