@@ -214,8 +214,8 @@ def test_save_writes_one_picture_of_150_dots_per_inch(tmp_path, figure):
 def test_save_that_fails_leaves_the_old_picture_and_no_litter(tmp_path, figure, monkeypatch):
     (tmp_path / "ramp.png").write_bytes(b"old")
 
-    def disk_full(path, **_):
-        path.write_bytes(b"half")
+    def disk_full(file, **_):
+        file.write(b"half")
         raise OSError("disk full")
 
     monkeypatch.setattr(figure, "savefig", disk_full)
