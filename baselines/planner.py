@@ -15,15 +15,15 @@ from heli_gym.trajectory import Maneuver, Trajectory
 
 METHODS = ("paper",)
 KAPPA = (2, 4)  # (40)
-MESH = 50  # points of the first mesh, as in Section III-B
-COARSE, FINE = 1e-3, 1e-6  # relative residuals of the search and of the plan
-MAX_NODES = {COARSE: 800, FINE: 2000}
+MESH = {14: 50, 38: 100}  # points of the first mesh, by equation; 50 as in Section III-B
+COARSE, FINE = 1e-3, 1e-5  # relative residuals of the search and of the plan
+MAX_NODES = {COARSE: 500, FINE: 2000}
 SAMPLE_PERIOD = 1e-3  # s, at most, between the samples of a plan: the paper's sampling time (Section IV)
 ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s, between the end of the replayed plan and the goal
 LIMIT_TOLERANCE = 1e-6  # V and rad
 CLOSEST_PITCH = 0.95  # share of the pitch limit to which the first guess is clipped: psi1 never reaches it
 LENGTHENING, LONGEST = 1.4, 64.0  # factors by which the duration is stretched: each time, and altogether
-NEAREST = 2e-3  # relative step in duration at which the search for a shorter plan stops
+NEAREST = 5e-3  # relative step in duration at which the search for a shorter plan stops
 PITCH_RESERVE = 1e-5  # rad, by which (26) is tightened, so that the replayed pitch keeps its limits between samples
 
 # Setup polynomials of Section III-B over t/T. The paper gives their boundary conditions (12b) and (12c); we add
@@ -54,10 +54,11 @@ class Solution(NamedTuple):
     interpolate: Any = None  # t (N,) -> Y
 
     def stretched(self, duration: float) -> "Solution":
-        """The same motion in another time: rates scale with 1/T, accelerations with 1/T²."""
+        """The same motion in another time, on a fresh mesh: rates scale with 1/T, accelerations with 1/T²."""
         ratio = self.t[-1] / duration
         rates = np.array([1.0, ratio] * (len(self.Y) // 2))
-        return Solution(self.t / ratio, rates[:, None] * self.Y, ratio**2 * self.p)
+        t = np.linspace(0.0, self.t[-1], MESH[38])
+        return Solution(t / ratio, rates[:, None] * self.interpolate(t), ratio**2 * self.p)
 
 
 # Section III-B: without constraints
@@ -94,8 +95,8 @@ def solve_unconstrained(maneuver: Maneuver, tolerance: float = COARSE) -> Soluti
     def boundary_jacobian(Ya, Yb, p):
         return np.eye(4, 2), np.eye(4, 2, k=-2), np.zeros((4, 2))
 
-    t = np.linspace(0.0, T, MESH)
-    guess = Solution(t, np.stack((eta_0 + (eta_T - eta_0) * t / T, np.full(MESH, (eta_T - eta_0) / T))), np.zeros(2))
+    t = np.linspace(0.0, T, MESH[14])
+    guess = Solution(t, np.stack((eta_0 + (eta_T - eta_0) * t / T, np.full_like(t, (eta_T - eta_0) / T))), np.zeros(2))
     solution = run_solver(rhs, boundary, guess, rhs_jacobian, boundary_jacobian, tolerance)
     # beyond 90 degrees the tangent has another branch, which no flight can reach
     if solution is None or np.abs(setup_functions(maneuver, solution.t, solution.p)[1, 0]).max() >= np.pi / 2:
@@ -292,37 +293,40 @@ def solve_from_unconstrained(maneuver: Maneuver) -> Solution | None:
     if unconstrained is None:
         return None
     problem = ConstrainedProblem(maneuver)
-    return problem.solve(problem.guess(unconstrained))
+    return problem.solve(problem.guess(unconstrained.stretched(maneuver.duration)))
 
 
 def solve_by_shortening(maneuver: Maneuver) -> Solution:
     """Homotopy in the duration: from one that works down to the maneuver's, in steps that halve when one fails."""
-    duration, solution = maneuver.duration, None
+    solution, duration = None, maneuver.duration
     while solution is None:
         duration *= LENGTHENING
         if duration > LONGEST * maneuver.duration:
             raise InfeasibleManeuver(f"no plan for {maneuver}, nor for the same in up to {duration:.0f} s")
         solution = solve_from_unconstrained(replace(maneuver, duration=duration))
     step = duration - maneuver.duration
+    found = [solution]
     while duration > maneuver.duration:
         shorter = max(duration - step, maneuver.duration)
-        found = ConstrainedProblem(replace(maneuver, duration=shorter)).solve(solution.stretched(shorter))
-        if found is not None:
-            duration, solution = shorter, found
+        solution = ConstrainedProblem(replace(maneuver, duration=shorter)).solve(found[-1].stretched(shorter))
+        if solution is not None:
+            duration = shorter
+            found.append(solution)
         elif step > NEAREST * duration:
             step /= 2.0
         else:
-            raise infeasible(maneuver, duration, solution)
-    return solution
+            raise infeasible(maneuver, found)
+    return found[-1]
 
 
-def infeasible(maneuver: Maneuver, duration: float, solution: Solution) -> InfeasibleManeuver:
-    """What to say of a maneuver whose shortest solution takes longer than it should."""
-    shortest = None
-    while shortest is None:
-        possible = replace(maneuver, duration=duration)
-        shortest = checked(possible, ConstrainedProblem(possible).solve(solution.stretched(duration)))
-        duration *= 1.0 + NEAREST
+def infeasible(maneuver: Maneuver, found: list[Solution]) -> InfeasibleManeuver:
+    """What to say of a maneuver, given solutions of the same in longer and then ever shorter times."""
+    for solution in reversed(found):
+        shortest = checked(replace(maneuver, duration=float(solution.t[-1])), solution)
+        if shortest is not None:
+            break
+    else:
+        return InfeasibleManeuver(f"no plan for {maneuver}, nor for the same in up to {found[0].t[-1]:.0f} s")
     (low, high), (pitch_low, pitch_high) = maneuver.limits.u, maneuver.limits.pitch
     pitch_share = max(shortest.x[4].max() / pitch_high, shortest.x[4].min() / pitch_low)
     saturated = np.mean((shortest.u < low + LIMIT_TOLERANCE) | (shortest.u > high - LIMIT_TOLERANCE))

@@ -47,7 +47,8 @@ def psi2_bounds(ddy2_bounds: tuple[Any, Any], saturation: Saturation, xi2: Any) 
     """Equation (33): bounds of d xi2/dt that keep the pitch's second derivative within (23)."""
     ddy2_min, ddy2_max = ddy2_bounds
     bend = saturation.curvature * xi2**2
-    return (ddy2_min - bend) / saturation.slope, (ddy2_max - bend) / saturation.slope
+    with np.errstate(divide="ignore"):  # far out the slope underflows, and nothing bounds d xi2/dt
+        return (ddy2_min - bend) / saturation.slope, (ddy2_max - bend) / saturation.slope
 
 
 def ddy2(saturation: Saturation, xi2: Any, dxi2: Any) -> Any:

@@ -1,9 +1,10 @@
 """How the weights of (49) were chosen: `python -m baselines.tune` repeats it, in about ten minutes.
 
-The paper gives no weights, and on the model that it plans with any sensible ones track perfectly. So they are tuned on
-what the model lacks: each coefficient of (3) off by up to 10 %, up to 15 % less thrust, rotors that follow the voltage
-with a lag of 0.05 to 0.2 s, and a start up to 5 degrees off. What is maximised is what a learner would maximise: the
-environment's mean return, over fixed draws, at its default control period. The best is then judged on other draws.
+The paper gives no weights. Every other helicopter that they are tuned on is nominal, the others have what the model
+lacks: each coefficient of (3) off by up to 10 %, up to 15 % less thrust, and rotors that follow the voltage with a lag
+of 0.05 to 0.2 s. All start up to 5 degrees off. What is maximised is what a learner would maximise: the environment's
+mean return, over fixed draws, at its default control period. The best is then judged on other draws.
+(Tuned without the nominal ones, gains come out that chatter between the amplifier's limits where there is no lag.)
 """
 
 from dataclasses import dataclass
@@ -27,7 +28,7 @@ MODEL_ERROR = 0.1  # of each coefficient of (3), at most
 THRUST_LOSS = 0.15  # at most
 ROTOR_LAG = (0.05, 0.2)  # s
 START_SPREAD_DEG = 5.0
-DECADES = 3.0  # around the present weights that are searched
+DECADES = 2.0  # around the present weights that are searched
 
 
 @dataclass
@@ -54,7 +55,8 @@ class Lagging:
 
     def __call__(self, t: float, measurement: np.ndarray) -> np.ndarray:
         u = np.clip(self.policy(t, measurement), *AMPLIFIER_LIMITS)
-        self.u = u + np.exp(-self.policy.control_period / self.lag) * (self.u - u)
+        kept = np.exp(-self.policy.control_period / self.lag) if self.lag else 0.0
+        self.u = u + kept * (self.u - u)
         return self.u
 
 
@@ -72,7 +74,7 @@ def draw_helicopters(draws: int, seed: int) -> list[tuple[Heli3DOFEnv, float, in
     rng = np.random.default_rng(seed)
     helicopters = []
     for k in range(draws):
-        plant, lag = draw_helicopter(rng)
+        plant, lag = draw_helicopter(rng) if k % 2 else (Plant(), 0.0)
         helicopters.append((Heli3DOFEnv(plant, start_spread_deg=START_SPREAD_DEG), lag, seed + k))
     return helicopters
 
