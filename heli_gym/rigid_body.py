@@ -14,15 +14,6 @@ import numpy as np
 from heli_gym.parameters import HelicopterParameters, Scalar
 from heli_gym.storage import atomic_write
 
-try:
-    # numba.njit(rigid_dynamics) compiles the functions it calls only if they are marked.
-    from numba.extending import register_jitable  # type: ignore[import]
-except ImportError:
-
-    def register_jitable(function: Any) -> Any:  # type: ignore[no-redef]
-        return function
-
-
 VARIANTS = ("A", "B")
 MODELS = Path(__file__).parent / "models"
 
@@ -94,7 +85,6 @@ def solve_rigid_body(
     return RigidBodyParameters(l_h, l_p, l_c, g, m_h, m_c, r2**0.5, d_h, d_c, e_h)
 
 
-@register_jitable
 def mass_matrix(ce: Any, se: Any, cf: Any, sf: Any, p: RigidBodyParameters) -> tuple:
     """(D11, D22, D33, D12, D13, D23) in kg m² of (q1, eps, phi), from the cosines and sines of eps and phi."""
     z = p.e_h - p.d_h * cf
@@ -109,7 +99,6 @@ def mass_matrix(ce: Any, se: Any, cf: Any, sf: Any, p: RigidBodyParameters) -> t
     return D11, D22, D33, D12, D13, D23
 
 
-@register_jitable
 def coriolis(ce: Any, se: Any, cf: Any, sf: Any, w1: Any, w2: Any, w3: Any, p: RigidBodyParameters) -> tuple:
     """Coriolis and centrifugal torques in N m at the rates w of (q1, eps, phi): the Christoffel symbols of D."""
     z = p.e_h - p.d_h * cf
@@ -130,14 +119,12 @@ def coriolis(ce: Any, se: Any, cf: Any, sf: Any, w1: Any, w2: Any, w3: Any, p: R
     )
 
 
-@register_jitable
 def gravity(ce: Any, se: Any, cf: Any, sf: Any, p: RigidBodyParameters) -> tuple:
     """The gradient of the potential energy in N m."""
     out = p.m_h * (p.l_h * ce - (p.e_h - p.d_h * cf) * se) - p.m_c * (p.l_c * ce - p.d_c * se)
     return 0.0, p.g * out, p.g * p.m_h * p.d_h * sf * ce
 
 
-@register_jitable
 def generalised_forces(ce: Any, se: Any, cf: Any, sf: Any, v1: Any, v2: Any, p: RigidBodyParameters) -> tuple:
     """Torques in N m of the thrusts and of the drag of the two rotors, which turn in opposite senses."""
     drag = -p.kappa * v2
@@ -148,7 +135,6 @@ def generalised_forces(ce: Any, se: Any, cf: Any, sf: Any, v1: Any, v2: Any, p: 
     )
 
 
-@register_jitable
 def solve_symmetric(D: tuple, f: tuple) -> tuple:
     """The solution a of D a = f, by cofactors."""
     D11, D22, D33, D12, D13, D23 = D

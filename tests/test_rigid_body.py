@@ -276,9 +276,3 @@ def test_casadi_runs_the_dynamics_unchanged():
     )
     expected = rigid_dynamics(STATES[:, 0], INPUTS[:, 0], RIGS["B"])
     assert_allclose(f(STATES[:, 0], INPUTS[:, 0]).full()[:, 0], expected, rtol=1e-12)
-
-
-def test_numba_compiles_the_dynamics_unchanged():
-    numba = pytest.importorskip("numba")
-    x, v = tuple(STATES[:, 0].tolist()), tuple(INPUTS[:, 0].tolist())
-    assert_allclose(numba.njit(rigid_dynamics)(x, v, RIGS["B"]), rigid_dynamics(x, v, RIGS["B"]), rtol=1e-12)
