@@ -347,7 +347,7 @@ def checked(maneuver: Maneuver, solution: Solution | None) -> Trajectory | None:
     start, goal = trajectory.x[:, 0], trajectory.x[:, -1]
 
     def rhs(t, x):
-        u = [np.interp(t, trajectory.t, voltages) for voltages in trajectory.u]
+        u = np.array([np.interp(t, trajectory.t, voltages) for voltages in trajectory.u])
         return dynamics(x, virtual_input(thrust(u, maneuver.parameters)), maneuver.parameters, math.sin, math.cos)
 
     replay = solve_ivp(rhs, (0.0, maneuver.duration), start, rtol=1e-7, atol=1e-9, max_step=0.05)

@@ -11,9 +11,8 @@ from gymnasium.spaces import Box
 from numpy.typing import ArrayLike
 
 from heli_gym import task
-from heli_gym.model import rk4_step, thrust, virtual_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
-from heli_gym.plant import Plant, find_plant
+from heli_gym.plant import Plant, advance, at_rest, find_plant, measure
 from heli_gym.trajectory import Trajectory
 
 REFERENCES = Path(__file__).parent / "references"
@@ -48,7 +47,16 @@ class Heli3DOFEnv(gym.Env):
     constraints" (IEEE Transactions on Control Systems Technology 18(4), 2010), planned within 1 to 11 V and
     50 degrees of pitch. Equation numbers are the paper's.
 
-    The model is (3) with the thrust map (2), integrated by one Runge-Kutta step of order four per control period.
+    Three plants:
+
+    | Plant     | What it is                                                                                |
+    |-----------|-------------------------------------------------------------------------------------------|
+    | `nominal` | (3) with the thrust map (2), exactly                                                      |
+    | `lab`     | (3) with rotor lag, friction, thrust loss, one period of delay, encoders, estimated rates |
+    | `rigid`   | the full rigid body in one of two variants, with the same actuators, friction and sensors |
+
+    `lab` and `rigid` are drawn anew in every episode, from ranges of published models and data of such rigs. The
+    integrator is Runge-Kutta of order four: one step per control period on `nominal`, steps of 5 ms on the others.
 
     ## Action Space
 
@@ -62,9 +70,10 @@ class Heli3DOFEnv(gym.Env):
 
     ## Observation Space
 
-    A `Box` of 47 float32 values: the tracking error, then the reference and its nominal voltages now and 0.1, 0.2, 0.4
-    and 0.8 s ahead, then the remaining time. On this plant that makes the task Markov. The bounds follow from the
-    greatest acceleration that the model and the amplifier allow, so that nothing is clipped.
+    A `Box` of 49 float32 values: the measured tracking error, the last voltages, then the reference and its nominal
+    voltages now and 0.1, 0.2, 0.4 and 0.8 s ahead, and the remaining time. On the nominal plant that makes the task
+    Markov. The bounds follow from the greatest acceleration that the model and the amplifier allow, so that nothing is
+    clipped.
 
     | Num    | Observation                                            | Unit  |
     |--------|--------------------------------------------------------|-------|
@@ -74,18 +83,19 @@ class Heli3DOFEnv(gym.Env):
     | 3      | elevation rate minus reference                         | rad/s |
     | 4      | pitch minus reference                                  | rad   |
     | 5      | pitch rate minus reference                             | rad/s |
-    | 6-11   | reference state now, in the order of 0-5               | rad, rad/s |
-    | 12-13  | nominal voltages (front, back) now                     | V     |
-    | 14-21  | the same as 6-13, 0.1 s ahead                          |       |
-    | 22-29  | 0.2 s ahead                                            |       |
-    | 30-37  | 0.4 s ahead                                            |       |
-    | 38-45  | 0.8 s ahead                                            |       |
-    | 46     | remaining time                                         | s     |
+    | 6-7    | last voltages (front, back)                            | V     |
+    | 8-13   | reference state now, in the order of 0-5               | rad, rad/s |
+    | 14-15  | nominal voltages (front, back) now                     | V     |
+    | 16-23  | the same as 8-15, 0.1 s ahead                          |       |
+    | 24-31  | 0.2 s ahead                                            |       |
+    | 32-39  | 0.4 s ahead                                            |       |
+    | 40-47  | 0.8 s ahead                                            |       |
+    | 48     | remaining time                                         | s     |
 
-    `info["state"]` is the true state (44), `info["measurement"]` is what a controller may use (on this plant the same),
-    `info["time"]` the time in s; after a step, `info["voltage"]` the voltages that were applied and `info["cost"]` how
-    far voltages and pitch were outside the limits that the reference was planned under, in widths of these limits times
-    seconds.
+    `info["state"]` is the true state (44), `info["measurement"]` what a controller may use (on the nominal plant the
+    same), `info["time"]` the time in s, and `info["plant"]` the plant that was drawn, for analysis only. After a step,
+    `info["voltage"]` are the voltages asked for, within the amplifier's limits, and `info["cost"]` is how far they and
+    the pitch were outside the limits that the reference was planned under, in widths of these limits times seconds.
 
     ## Rewards
 
@@ -98,7 +108,7 @@ class Heli3DOFEnv(gym.Env):
 
     The reference's start, at rest. With `start_spread_deg`, each of the three angles is drawn uniformly within that
     distance of it. `reset(options={"state": x})` starts at the state x (6,) instead, within 1 rad and 1 rad/s of the
-    reference's start.
+    reference's start; `reset(options={"plant": plant})` flies another plant in this episode.
 
     ## Episode End
 
@@ -107,7 +117,8 @@ class Heli3DOFEnv(gym.Env):
 
     ## Arguments
 
-    - `plant`: "nominal", or a `heli_gym.plant.Plant`.
+    - `plant`: "nominal", "lab", "rigid", or a `heli_gym.plant.Plant`, which may combine friction, rotors, sensors,
+      pushes, gusts, a moving mass and rotor faults.
     - `reference`: the name of a packaged reference ("travel-360"), the path of an .npz file that `Trajectory.save`
       wrote, or a `Trajectory`.
     - `control_period`: seconds between actions, up to 0.05. The paper's is 0.001.
@@ -158,7 +169,7 @@ class Heli3DOFEnv(gym.Env):
         self.last_step = len(self.x_ref) - 1
         bound = task.observation_bound(
             features,
-            self.plant.parameters,
+            self.plant,
             self.voltage_limits,
             self.pitch_limit,
             self.reference.duration,
@@ -173,24 +184,30 @@ class Heli3DOFEnv(gym.Env):
     ) -> tuple[np.ndarray, dict[str, Any]]:
         """To the start of the reference; see Starting State for the options. Raises ValueError for others."""
         super().reset(seed=seed)
-        self.state = self._start(options or {})
+        options = options or {}
+        unknown = set(options) - {"state", "plant"}
+        if unknown:
+            raise ValueError(f"options = {options!r}: only 'state' and 'plant' are known")
+        self.drawn_plant = find_plant(options.get("plant", self.plant)).draw(self.np_random)
+        start = self._start(options)
+        self.voltage = tuple(self.reference.u[:, 0].tolist())
+        self.state = measure(self.drawn_plant, at_rest(self.drawn_plant, start, self.voltage), math.inf, self.np_random)
         self.step_count = 0
         self.over = False
-        return self._observation(self._error()), self._info()
+        return self._observation(), self._info()
 
     def step(self, action: ArrayLike) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
         """One control period with the voltages held. Raises ValueError for an action that is not two finite numbers."""
         if self.over:
             raise gym.error.ResetNeeded("the episode is over: call reset before step")
-        parameters = self.plant.parameters
-        u = self._amplified(action)
+        u = self.voltage = self._amplified(action)
         du = [applied - nominal for applied, nominal in zip(u, self.u_ref[self.step_count])]
-        v = virtual_input(thrust(u, parameters).tolist())
-        self.state = rk4_step(self.state, v, parameters, self.control_period, math.sin, math.cos)
+        time = self.step_count * self.control_period
+        self.state = advance(self.drawn_plant, self.state, u, time, self.control_period, self.np_random)
         self.step_count += 1
 
-        error = self._error()
-        pitch = self.state[4]
+        error = self._error(self.state.x)
+        pitch = self.state.x[4]
         terminated = task.crashed(pitch, self.pitch_limit)
         truncated = not terminated and self.step_count == self.last_step
         self.over = terminated or truncated
@@ -199,12 +216,9 @@ class Heli3DOFEnv(gym.Env):
         info["cost"] = self.control_period * task.cost(pitch, u, self.reference.limits)
         if self.over:
             info["is_success"] = truncated and bool(task.succeeded(error))
-        return self._observation(error), self.control_period * task.reward(error, du), terminated, truncated, info
+        return self._observation(), self.control_period * task.reward(error, du), terminated, truncated, info
 
-    def _start(self, options: dict[str, Any]) -> tuple:
-        unknown = set(options) - {"state"}
-        if unknown:
-            raise ValueError(f"options = {options!r}: only 'state' is known")
+    def _start(self, options: dict[str, Any]) -> tuple[float, ...]:
         start = np.array(self.x_ref[0])
         if "state" not in options:
             spread = math.radians(self.start_spread_deg)
@@ -219,23 +233,29 @@ class Heli3DOFEnv(gym.Env):
             )
         return tuple(state.tolist())
 
-    def _amplified(self, action: ArrayLike) -> list[float]:
+    def _amplified(self, action: ArrayLike) -> tuple[float, float]:
         """The two voltages that the amplifier gives for an action: it saturates, which is all that is ever clipped."""
         values = np.asarray(action, dtype=float)
         if values.shape != (2,) or not all(map(math.isfinite, values.tolist())):
             raise ValueError(f"action = {action!r}: two finite numbers are needed")
         low, high = self.voltage_limits
-        return [min(max(task.to_voltage(value, self.voltage_limits), low), high) for value in values.tolist()]
+        front, back = (min(max(task.to_voltage(a, self.voltage_limits), low), high) for a in values.tolist())
+        return front, back
 
-    def _error(self) -> list[float]:
-        return [value - nominal for value, nominal in zip(self.state, self.x_ref[self.step_count])]
+    def _error(self, x: tuple[float, ...]) -> list[float]:
+        return [value - nominal for value, nominal in zip(x, self.x_ref[self.step_count])]
 
-    def _observation(self, error: list[float]) -> np.ndarray:
-        return np.concatenate((np.array(error, dtype=np.float32), self.features[self.step_count]))
+    def _observation(self) -> np.ndarray:
+        known = np.array((*self._error(self.state.measurement), *self.voltage), dtype=np.float32)
+        return np.concatenate((known, self.features[self.step_count]))
 
     def _info(self) -> dict[str, Any]:
-        state = np.array(self.state)
-        return {"state": state, "measurement": state.copy(), "time": self.step_count * self.control_period}
+        return {
+            "state": np.array(self.state.x),
+            "measurement": np.array(self.state.measurement),
+            "time": self.step_count * self.control_period,
+            "plant": self.drawn_plant,
+        }
 
 
 def _number(name: str, value: float, unit: str, low: float, high: float, or_least: bool = False) -> float:

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from heli_gym.model import thrust
-from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.parameters import Limits
+from heli_gym.plant import Plant
 from heli_gym.trajectory import Trajectory
 
 PREVIEW = (0.0, 0.1, 0.2, 0.4, 0.8)  # s ahead, at which the observation shows the reference
@@ -94,22 +94,25 @@ def reference_features(reference: Trajectory, control_period: float) -> np.ndarr
 
 def observation_bound(
     features: np.ndarray,
-    parameters: HelicopterParameters,
+    plant: Plant,
     voltage_limits: tuple[float, float],
     pitch_limit: float,
     duration: float,
     control_period: float,
 ) -> np.ndarray:
-    """Bounds (6 + features,) on the absolute value of the observation that no flight can exceed.
+    """Bounds (8 + features,) on the absolute value of the observation that no flight can exceed.
 
     Rates grow by the greatest acceleration that (3) and the amplifier allow, for the whole duration; pitch ends the
-    flight at its limit, one control period late at most.
+    flight at its limit, one control period late at most. Whatever a plant adds to (3) is allowed as much again.
     """
-    p = parameters
-    v_max = 2.0 * np.abs(thrust(voltage_limits, p)).max()
+    p = plant.parameters
+    u_max = np.abs(voltage_limits).max()
+    v_max = 2.0 * max(abs(p.k_plus), abs(p.k_minus)) * u_max**2
     acceleration = np.array(
         [abs(p.b1) * v_max, abs(p.a1) + abs(p.a2) + abs(p.b2) * v_max, abs(p.a3) + abs(p.b3) * v_max]
     )
+    if not plant.is_plain:
+        acceleration *= 2.0
     start, start_rate = np.array(FARTHEST_START[0::2]), np.array(FARTHEST_START[1::2])
     rate = start_rate + acceleration * duration
     angle = start + (start_rate + 0.5 * acceleration * duration) * duration
@@ -117,4 +120,5 @@ def observation_bound(
     shown = np.abs(features).max(axis=1)
     # a start may differ from the reference's, whatever that is; then both are added
     reached = shown[:6] + np.stack((angle, rate), axis=1).ravel()
-    return np.concatenate((shown[:6] + reached, shown))
+    last_voltages = np.maximum(u_max, shown[6:8])
+    return np.concatenate((shown[:6] + reached, last_voltages, shown))

@@ -44,7 +44,7 @@ class Maneuver:
             object.__setattr__(self, name, (float(point[0]), float(point[1])))
             elevation = float(point[1])
             thrust_sum = float(hover_input(elevation, self.parameters)[0])
-            low, high = 2.0 * thrust(self.limits.u, self.parameters)
+            low, high = 2.0 * thrust(np.array(self.limits.u), self.parameters)
             if abs(elevation) >= math.pi / 2 or not low < thrust_sum < high:
                 hover_voltage = float(voltage(0.5 * thrust_sum, self.parameters))
                 raise ValueError(
