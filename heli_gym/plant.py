@@ -15,7 +15,7 @@ import numpy as np
 
 from heli_gym.model import dynamics, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.rigid_body import VARIANTS, RigidBodyParameters, rigid_dynamics, solve_rigid_body
+from heli_gym.rigid_body import VARIANTS, rigid_dynamics, solve_rigid_body
 
 AXES = ("travel", "elevation", "pitch")
 ROTORS = ("front", "back")
@@ -183,7 +183,7 @@ class Plant:
     """What is flown. By default equation (3), exactly, and its true state is what is measured."""
 
     parameters: HelicopterParameters = field(default_factory=HelicopterParameters)
-    rig: RigidBodyParameters | OneOf | None = None  # the full rigid body, in place of equation (3)
+    rig: Any = None  # RigidBodyParameters, or a OneOf of such: the full rigid body, in place of equation (3)
     rotors: Rotors = field(default_factory=Rotors)
     friction: Friction = field(default_factory=Friction)
     sensors: Sensors | None = None  # without any, the state itself is measured
@@ -203,7 +203,7 @@ class PlantState(NamedTuple):
     """All that a drawn plant remembers of a flight."""
 
     x: tuple[float, ...]  # (44), rad and rad/s
-    rotors: tuple[float, float]  # V, to which the rotor speeds correspond
+    rotors: tuple[float, ...]  # (2,) V, to which the rotor speeds correspond
     voltage: tuple[float, float]  # V, at the motors
     pending: tuple[tuple[float, float], ...]  # V, asked for and delayed
     gusts: tuple[float, ...]  # rad/s²
