@@ -1,9 +1,9 @@
 """How the weights of (49) were chosen: `python -m baselines.tune` repeats it, in about ten minutes.
 
-The paper gives no weights. Half of the helicopters that they are tuned on are nominal, the others are draws of the plant
-`lab`; all start up to 5 degrees off. What is maximised is what a learner would maximise: the environment's mean return,
-over fixed draws, at its default control period. The best is then judged on other draws. (Without the nominal ones, or
-without the delay that `lab` has, the gains that come out chatter.)
+The paper gives no weights. Half of the helicopters that they are tuned on are nominal, the others are draws of the
+plant `lab`; all start up to 5 degrees off. What is maximised is what a learner would maximise: the environment's mean
+return, over fixed draws, at its default control period. The best is then judged on other draws. (Without the nominal
+ones, or without the delay that `lab` has, the gains that come out chatter.)
 """
 
 from dataclasses import dataclass

@@ -20,6 +20,7 @@ from heli_gym.rigid_body import VARIANTS, rigid_dynamics, solve_rigid_body
 AXES = ("travel", "elevation", "pitch")
 ROTORS = ("front", "back")
 SUBSTEP = 5e-3  # s, at most, of the integration where there is more than (3): a tenth of the shortest rotor lag
+HELD_OUT_SEED = 2**31  # episodes of evaluations count their seeds from here on; tuning and training use smaller ones
 COULOMB_RATE = 0.02  # rad/s, over which Coulomb friction changes sign: smooth, so that RK4 keeps its order
 
 
@@ -192,6 +193,11 @@ class Plant:
     def draw(self, rng: np.random.Generator) -> "Plant":
         """One plant out of the ranges."""
         return drawn(self, rng)
+
+    @property
+    def is_random(self) -> bool:
+        """Whether episodes draw something from it."""
+        return self.draw(np.random.default_rng(0)) != self
 
     @property
     def is_plain(self) -> bool:
