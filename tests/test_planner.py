@@ -1,0 +1,236 @@
+"""Plans are replayed, bounded and refused as an independent integrator and an optimal-control solver say."""
+
+import itertools
+import math
+import signal
+from contextlib import contextmanager
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from independent import TABLE_I, central_differences, equation_2, replay, shortest_time
+from numpy.testing import assert_allclose
+from scipy.optimize import root
+
+from baselines import InfeasibleManeuver, plan, plan_unconstrained
+from baselines.planner import FINE, ConstrainedProblem, solve_unconstrained
+from heli_gym import HelicopterParameters, Limits, Maneuver
+
+
+def maneuver(start, goal, duration, pitch_deg=(-50.0, 50.0), u=(1.0, 11.0), **parameters) -> Maneuver:
+    """A maneuver between (travel, elevation) in degrees."""
+    limits = Limits(*u, *(math.radians(pitch) for pitch in pitch_deg))
+    points = (tuple(math.radians(angle) for angle in point) for point in (start, goal))
+    return Maneuver(*points, duration, limits, HelicopterParameters(**parameters))
+
+
+MANEUVERS = {
+    "the paper's": Maneuver(),
+    "half a turn": maneuver((0, 0), (180, 0), 8),
+    "two turns": maneuver((0, 0), (720, 0), 15),
+    "two turns back": maneuver((0, 0), (-720, 0), 16),
+    "climb on the spot": maneuver((0, 0), (0, -10), 4),
+    "descend and turn": maneuver((0, -18), (45, 15), 10),
+    "climb and turn": maneuver((0, 10), (90, -15), 8),
+    "start elsewhere": maneuver((100, -5), (-80, 5), 9),
+    "little pitch to one side": maneuver((0, 0), (360, 0), 12, pitch_deg=(-60, 25)),
+    "little pitch": maneuver((0, 0), (360, 0), 22, pitch_deg=(-10, 10)),
+    "few volts": maneuver((0, 0), (180, 0), 9, u=(3, 10)),
+    "fans may reverse": maneuver((0, 0), (270, 0), 9, u=(-4, 12)),
+    "stay": maneuver((30, 5), (30, 5), 5),
+    "a heavier helicopter": maneuver((0, 0), (360, 0), 12, b1=-0.58, b2=-0.6),
+}
+
+
+@pytest.fixture(scope="module", params=MANEUVERS.values(), ids=MANEUVERS.keys())
+def planned(request):
+    return request.param, plan(request.param)
+
+
+def test_a_plan_flown_through_equation_3_arrives_and_keeps_its_limits(planned):
+    maneuver, trajectory = planned
+    flown = replay(trajectory, maneuver.parameters)
+    for k, (travel, elevation) in ((0, maneuver.start), (-1, maneuver.goal)):
+        assert_allclose(flown[:, k], [travel, 0.0, elevation, 0.0, 0.0, 0.0], rtol=0.0, atol=1e-3)
+    assert_allclose(flown, trajectory.x, rtol=0.0, atol=1e-3)
+    low, high = maneuver.limits.pitch
+    for pitch in (flown[4], trajectory.x[4]):
+        assert low - 1e-6 <= pitch.min() <= pitch.max() <= high + 1e-6
+    low, high = maneuver.limits.u
+    assert low - 1e-6 <= trajectory.u.min() <= trajectory.u.max() <= high + 1e-6
+
+
+def test_a_plan_is_sampled_every_millisecond_from_rest_to_rest(planned):
+    maneuver, trajectory = planned
+    assert trajectory.duration == maneuver.duration
+    assert np.diff(trajectory.t).max() <= 1.001e-3
+    assert trajectory.limits == maneuver.limits
+    for k, (travel, elevation) in ((0, maneuver.start), (-1, maneuver.goal)):
+        assert_allclose(trajectory.x[:, k], [travel, 0.0, elevation, 0.0, 0.0, 0.0], rtol=0.0, atol=1e-12)
+
+
+def test_a_plan_starts_and_ends_with_the_voltages_of_hover(planned):
+    maneuver, trajectory = planned
+    p = maneuver.parameters
+    for k, (_, q2) in ((0, maneuver.start), (-1, maneuver.goal)):
+        v1 = -(p.a1 * math.sin(q2) + p.a2 * math.cos(q2)) / p.b2
+        assert_allclose([equation_2(u) for u in trajectory.u[:, k]], 0.5 * v1, atol=1e-6)
+
+
+def test_no_plan_is_faster_than_optimal_control(planned):
+    maneuver, trajectory = planned
+    assert maneuver.start == maneuver.goal or shortest_time(maneuver, trajectory) < maneuver.duration
+
+
+@pytest.mark.parametrize(("pitch_deg", "shortest"), [(50.0, 8.23), (89.0, 7.50)])
+def test_the_shortest_time_of_any_control_is_the_one_measured_in_the_notes(paper_plan, pitch_deg, shortest):
+    relaxed = maneuver((0, 0), (360, 0), 10, pitch_deg=(-pitch_deg, pitch_deg))
+    assert shortest_time(relaxed, paper_plan, intervals=100) == pytest.approx(shortest, abs=0.01)
+
+
+def test_the_mirrored_maneuver_is_the_mirrored_flight(paper_plan):
+    mirrored = plan(replace(Maneuver(), goal=(-2.0 * math.pi, 0.0)))
+    assert_allclose(mirrored.x, paper_plan.x * [[-1.0], [-1.0], [1.0], [1.0], [-1.0], [-1.0]], atol=1e-4)
+    assert_allclose(mirrored.u, paper_plan.u[::-1], atol=1e-3)
+
+
+def test_where_travel_starts_does_not_matter(paper_plan):
+    elsewhere = plan(Maneuver(start=(-3.0, 0.0), goal=(2.0 * math.pi - 3.0, 0.0)))
+    assert_allclose(elsewhere.x[1:], paper_plan.x[1:], atol=1e-4)
+    assert_allclose(elsewhere.x[0], paper_plan.x[0] - 3.0, atol=1e-4)
+
+
+def test_the_same_maneuver_gives_the_same_plan(paper_plan):
+    again = plan(Maneuver())
+    np.testing.assert_array_equal(again.x, paper_plan.x)
+    np.testing.assert_array_equal(again.u, paper_plan.u)
+
+
+# Section III-B
+
+
+@pytest.mark.parametrize("goal", [(2.0 * math.pi, 0.0), (-math.pi, 0.1)])
+def test_the_unconstrained_plan_solves_14_by_quadrature_and_root_finding_too(goal):
+    maneuver, p = Maneuver(goal=goal), TABLE_I
+    s, weights = np.polynomial.legendre.leggauss(80)
+    s, weights, T = 0.5 * (s + 1.0), 0.5 * weights * maneuver.duration, maneuver.duration
+    rise, ddrise = 10 * s**3 - 15 * s**4 + 6 * s**5, (60 * s - 180 * s**2 + 120 * s**3) / T**2
+    y1, ddy1 = goal[1] * rise, goal[1] * ddrise
+
+    def misses(parameters):
+        y2 = s**3 * (1.0 - s) ** 3 * (parameters[0] + parameters[1] * s)
+        ddeta = p.b1 / p.b2 * np.tan(y2) * (ddy1 - p.a1 * np.sin(y1) - p.a2 * np.cos(y1)) * np.cos(y1)
+        return weights @ ddeta, weights @ (T * (1.0 - s) * ddeta) - goal[0]
+
+    found = root(misses, np.zeros(2), tol=1e-12)
+    assert found.success
+    solution = solve_unconstrained(maneuver, FINE)
+    assert_allclose(solution.p, found.x, rtol=1e-4)
+
+
+@pytest.mark.parametrize("goal", [(2.0 * math.pi, 0.0), (-math.pi, 0.1)])
+def test_the_unconstrained_plan_arrives_when_flown_through_equation_3(goal):
+    trajectory = plan_unconstrained(Maneuver(goal=goal))
+    assert_allclose(replay(trajectory), trajectory.x, rtol=0.0, atol=1e-4)
+    assert_allclose(trajectory.x[:, -1], [goal[0], 0.0, goal[1], 0.0, 0.0, 0.0], atol=1e-4)
+
+
+def test_an_unconstrained_plan_that_would_pitch_beyond_90_degrees_is_infeasible():
+    with pytest.raises(InfeasibleManeuver, match="pitch would pass 90 degrees"):
+        plan_unconstrained(Maneuver(duration=4.0))
+
+
+# The analytic Jacobian of (38)
+
+
+@pytest.mark.parametrize("name", ["the paper's", "fans may reverse"])
+def test_the_analytic_jacobian_of_38_agrees_with_differences_on_all_branches(name):
+    problem, rng, n = ConstrainedProblem(MANEUVERS[name]), np.random.default_rng(0), 200
+    T, branches = problem.maneuver.duration, set()
+    for p in rng.uniform(-1.0, 1.0, (12, 6)) * [3.0, 3.0, 15.0, 15.0, 15.0, 15.0]:
+        t = rng.uniform(0.0, T, n)
+        Y = rng.uniform(-1.0, 1.0, (6, n)) * np.array([[0.4], [1.0], [1.5], [1.5], [6.0], [1.0]])
+
+        def rhs(z, t=t, Y=Y, p=p):
+            return problem.rhs(t, Y + z[:6, None], p + z[6:])
+
+        step, z = 1e-6, np.zeros(12)
+        bend = np.stack([rhs(step * e) - 2.0 * rhs(z) + rhs(-step * e) for e in np.eye(12)]) / step
+        smooth = np.abs(bend).max(axis=(0, 1)) < 1e-3  # elsewhere a corner of a ramp lies in between
+        assert smooth.mean() > 0.95
+        analytic = np.concatenate(problem.rhs_jacobian(t, Y, p), axis=1)
+        assert_allclose(analytic[..., smooth], central_differences(rhs, z, step)[..., smooth], rtol=1e-5, atol=1e-6)
+
+        _, ddy1, _, dxi2, _, _ = rhs(z)
+        phi1 = sum(p[k - 1] * ((t / T) ** (k + 1) - t / T) for k in (1, 2))
+        phi2 = sum(p[k + 1] * ((t / T) ** (k + 1) - t / T) for k in (1, 2, 3, 4))
+        saturated = (np.sign(np.where(np.isclose(a, b), 0.0, a - b)) for a, b in ((ddy1, phi1), (dxi2, phi2)))
+        branches |= set(zip(*(side[smooth] for side in saturated)))
+    # with v2 on a bound of (18) the bounds (20) of v1 meet, so that v1 is on them too
+    assert branches == set(itertools.product((-1.0, 0.0, 1.0), repeat=2)) - {(0.0, -1.0), (0.0, 1.0)}
+
+
+# What cannot be planned
+
+
+@contextmanager
+def at_most(seconds: float):
+    """Raises TimeoutError after so many seconds of computing."""
+
+    def stop(*_):
+        raise TimeoutError(f"still computing after {seconds} s")
+
+    before = signal.signal(signal.SIGVTALRM, stop)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
+        signal.signal(signal.SIGVTALRM, before)
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        maneuver((0, 0), (0, -10), 0.5),
+        maneuver((0, 0), (360, 0), 9),
+        maneuver((0, 0), (360, 0), 8),
+        maneuver((0, 0), (360, 0), 7.5),
+        maneuver((0, 0), (720, 0), 10),
+    ],
+    ids=str,
+)
+def test_an_infeasible_maneuver_names_what_is_in_the_way_and_a_duration_that_works(asked):
+    with at_most(15.0), pytest.raises(InfeasibleManeuver, match=r"pitch reaches .*voltages ride") as refusal:
+        plan(asked)
+    shortest = refusal.value.shortest_duration
+    assert f"{shortest:.2f} s" in str(refusal.value)
+    assert shortest > asked.duration
+    assert plan(replace(asked, duration=shortest)).duration == shortest
+
+
+def test_a_longer_time_than_one_that_works_works_too():
+    # hover at the goal would fill the rest
+    half_turn = maneuver((0, 0), (180, 0), 6)
+    with pytest.raises(InfeasibleManeuver) as refusal:
+        plan(half_turn)
+    longer = replace(half_turn, duration=max(7.0, 1.05 * refusal.value.shortest_duration))
+    assert plan(longer).duration == longer.duration
+
+
+def test_a_maneuver_of_minutes_is_planned_in_seconds():
+    with at_most(10.0):
+        plan(maneuver((0, 0), (360, 0), 200))
+
+
+@pytest.mark.parametrize(
+    ("asked", "like"),
+    [(maneuver((0, 0), (360, 0), 8), "the paper's"), (maneuver((0, 0), (0, -10), 0.5), "climb on the spot")],
+)
+def test_some_of_what_is_refused_no_control_at_all_can_fly(asked, like):
+    assert shortest_time(asked, plan(MANEUVERS[like])) > asked.duration
+
+
+def test_an_unknown_method_is_named_with_those_there_are():
+    with pytest.raises(ValueError, match=r"method = 'flatness': .*paper"):
+        plan(Maneuver(), method="flatness")
