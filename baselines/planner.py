@@ -22,9 +22,10 @@ SAMPLE_PERIOD = 1e-3  # s, at most, between the samples of a plan: the paper's s
 ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s, between the end of the replayed plan and the goal
 LIMIT_TOLERANCE = 1e-6  # V and rad
 CLOSEST_PITCH = 0.95  # share of the pitch limit to which the first guess is clipped: psi1 never reaches it
-LENGTHENING, LONGEST = 1.4, 64.0  # factors by which the duration is stretched: each time, and altogether
-NEAREST = 5e-3  # relative step in duration at which the search for a shorter plan stops
-PITCH_RESERVE = 1e-5  # rad, by which (26) is tightened, so that the replayed pitch keeps its limits between samples
+LENGTHENING, ATTEMPTS = 1.4, 16  # factor by which the duration is stretched until a plan is found, and how often
+FARTHEST, NEAREST = 0.1, 5e-3  # relative steps in which it is then shortened: the first, and the one that is the last
+SHORTEST = 2.0  # s, of any maneuver that is worth trying
+PITCH_RESERVE = 1e-5  # share by which (26) is tightened, so that the replayed pitch keeps its limits between samples
 
 # Setup polynomials of Section III-B over t/T. The paper gives their boundary conditions (12b) and (12c); we add
 # zero second derivatives, so that the inputs start and end at hover.
@@ -147,7 +148,7 @@ class ConstrainedProblem:
     def pitch_bounds(self) -> tuple[float, float]:
         """Equation (26)."""
         low, high = self.maneuver.limits.pitch
-        return low + PITCH_RESERVE, high - PITCH_RESERVE
+        return low * (1.0 - PITCH_RESERVE), high * (1.0 - PITCH_RESERVE)
 
     def ansatz(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Equation (39): the basis of Phi1 (kappa1, K) and of Phi2 (kappa2, K)."""
@@ -280,11 +281,7 @@ def plan(maneuver: Maneuver, method: str = "paper") -> Trajectory:
     if method not in METHODS:
         raise ValueError(f"method = {method!r}: one of {', '.join(METHODS)} is needed")
     trajectory = checked(maneuver, solve_from_unconstrained(maneuver))
-    if trajectory is None:
-        trajectory = checked(maneuver, solve_by_shortening(maneuver))
-    if trajectory is None:
-        raise InfeasibleManeuver(f"no plan for {maneuver}: what was found breaks the limits or misses the goal")
-    return trajectory
+    return plan_by_shortening(maneuver) if trajectory is None else trajectory
 
 
 def solve_from_unconstrained(maneuver: Maneuver) -> Solution | None:
@@ -296,27 +293,47 @@ def solve_from_unconstrained(maneuver: Maneuver) -> Solution | None:
     return problem.solve(problem.guess(unconstrained.stretched(maneuver.duration)))
 
 
-def solve_by_shortening(maneuver: Maneuver) -> Solution:
-    """Homotopy in the duration: from one that works down to the maneuver's, in steps that halve when one fails."""
-    solution, duration = None, maneuver.duration
-    while solution is None:
-        duration *= LENGTHENING
-        if duration > LONGEST * maneuver.duration:
-            raise InfeasibleManeuver(f"no plan for {maneuver}, nor for the same in up to {duration:.0f} s")
-        solution = solve_from_unconstrained(replace(maneuver, duration=duration))
-    step = duration - maneuver.duration
-    found = [solution]
-    while duration > maneuver.duration:
-        shorter = max(duration - step, maneuver.duration)
-        solution = ConstrainedProblem(replace(maneuver, duration=shorter)).solve(found[-1].stretched(shorter))
-        if solution is not None:
-            duration = shorter
-            found.append(solution)
-        elif step > NEAREST * duration:
+def plan_by_shortening(maneuver: Maneuver) -> Trajectory:
+    """Homotopy in the duration, from one that works down to the maneuver's, in steps that halve when one fails.
+
+    The durations do not depend on the one that is asked for until they come near it: what is found for one is found for
+    every longer one. Where a step leads past it only, to another branch of solutions, the way back up is tried.
+    """
+    found = [first_solution(maneuver)]
+    step = FARTHEST
+
+    def reach(duration: float, start: Solution) -> Solution | None:
+        return ConstrainedProblem(replace(maneuver, duration=duration)).solve(start.stretched(duration))
+
+    while step > NEAREST:
+        shorter = float(found[-1].t[-1]) * (1.0 - step)
+        ahead = None if shorter <= maneuver.duration else reach(shorter, found[-1])
+        if shorter <= maneuver.duration:
+            trajectory = checked(maneuver, reach(maneuver.duration, found[-1]))
+            if trajectory is None and (below := reach(shorter, found[-1])):
+                trajectory = checked(maneuver, reach(maneuver.duration, below))
+            if trajectory is not None:
+                return trajectory
+        if ahead is None:
             step /= 2.0
         else:
-            raise infeasible(maneuver, found)
-    return found[-1]
+            found.append(ahead)
+    raise infeasible(maneuver, found)
+
+
+def first_solution(maneuver: Maneuver) -> Solution:
+    """A solution of (38) in a longer time, found from the unconstrained plan; raises InfeasibleManeuver if none is."""
+    # Level flight at the pitch limit accelerates the travel by b1/b2 a2 tan(q3), see (14a), half of the way.
+    p, pitch = maneuver.parameters, min(np.abs(maneuver.limits.pitch))
+    acceleration = abs(p.b1 / p.b2 * p.a2) * np.tan(pitch)
+    duration = SHORTEST + 2.0 * np.sqrt(abs(maneuver.goal[0] - maneuver.start[0]) / acceleration)
+    for _ in range(ATTEMPTS):
+        duration *= LENGTHENING
+        if duration > maneuver.duration:
+            solution = solve_from_unconstrained(replace(maneuver, duration=duration))
+            if solution is not None:
+                return solution
+    raise InfeasibleManeuver(f"no plan for {maneuver}, nor for the same in up to {duration:.0f} s")
 
 
 def infeasible(maneuver: Maneuver, found: list[Solution]) -> InfeasibleManeuver:
@@ -346,8 +363,11 @@ def checked(maneuver: Maneuver, solution: Solution | None) -> Trajectory | None:
     trajectory = ConstrainedProblem(maneuver).trajectory(fine)
     start, goal = trajectory.x[:, 0], trajectory.x[:, -1]
 
+    # np.interp copies what is read-only
+    times, (u_f, u_b) = trajectory.t.copy(), trajectory.u.copy()
+
     def rhs(t, x):
-        u = np.array([np.interp(t, trajectory.t, voltages) for voltages in trajectory.u])
+        u = np.array((np.interp(t, times, u_f), np.interp(t, times, u_b)))
         return dynamics(x, virtual_input(thrust(u, maneuver.parameters)), maneuver.parameters, math.sin, math.cos)
 
     replay = solve_ivp(rhs, (0.0, maneuver.duration), start, rtol=1e-7, atol=1e-9, max_step=0.05)

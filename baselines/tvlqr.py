@@ -47,7 +47,8 @@ def stationary_gain(
     return np.linalg.solve(R, B.T @ stationary_cost(elevation, parameters, Q, R))
 
 
-def check_weight(name: str, weight: np.ndarray, size: int, definite: bool) -> None:
+def check_weight(name: str, weight: ArrayLike, size: int, definite: bool = False) -> np.ndarray:
+    """The weight (size, size); raises ValueError unless it is symmetric and positive (semi)definite."""
     weight = np.asarray(weight, dtype=float)
     if weight.shape != (size, size) or not np.isfinite(weight).all() or not np.allclose(weight, weight.T):
         raise ValueError(f"{name} = {weight}: a symmetric ({size}, {size}) matrix is needed")
@@ -56,6 +57,7 @@ def check_weight(name: str, weight: np.ndarray, size: int, definite: bool) -> No
     if least < -rounding or (definite and least <= rounding):
         kind = "positive definite" if definite else "positive semidefinite"
         raise ValueError(f"{name} = {weight}: a {kind} matrix is needed, and one eigenvalue is {least:g}")
+    return weight
 
 
 def riccati_gains(
@@ -80,11 +82,8 @@ def riccati_gains(
     Raises:
         ValueError: if a weight has the wrong shape, is not symmetric or not positive (semi)definite.
     """
-    if M is None:
-        M = stationary_cost(reference.x[2, -1], parameters, Q, R)
-    Q, R, M = (np.asarray(weight, dtype=float) for weight in (Q, R, M))
-    for name, weight, size, definite in (("Q", Q, 6, False), ("R", R, 2, True), ("M", M, 6, False)):
-        check_weight(name, weight, size, definite)
+    Q, R = check_weight("Q", Q, 6), check_weight("R", R, 2, definite=True)
+    M = stationary_cost(reference.x[2, -1], parameters, Q, R) if M is None else check_weight("M", M, 6)
 
     def linearised(times):
         x, u = reference(times)

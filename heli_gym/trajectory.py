@@ -3,6 +3,7 @@
 import math
 import os
 from dataclasses import dataclass, field
+from numbers import Real
 from pathlib import Path
 
 import numpy as np
@@ -35,11 +36,13 @@ class Maneuver:
     parameters: HelicopterParameters = field(default_factory=HelicopterParameters)
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.duration) and self.duration > 0.0):
+        if not isinstance(self.limits, Limits):
+            raise ValueError(f"limits = {self.limits!r}: a Limits is needed")
+        if not (isinstance(self.duration, Real) and math.isfinite(self.duration) and self.duration > 0.0):
             raise ValueError(f"duration = {self.duration!r}: a positive, finite number of seconds is needed")
         for name in ("start", "goal"):
-            point = np.asarray(getattr(self, name), dtype=float)
-            if point.shape != (2,) or not np.isfinite(point).all():
+            point = np.asarray(getattr(self, name))
+            if point.dtype.kind not in "iuf" or point.shape != (2,) or not np.isfinite(point).all():
                 raise ValueError(f"{name} = {getattr(self, name)!r}: finite (travel, elevation) in rad are needed")
             object.__setattr__(self, name, (float(point[0]), float(point[1])))
             elevation = float(point[1])
@@ -132,7 +135,8 @@ class Trajectory:
     def load(cls, path: str | os.PathLike) -> "Trajectory":
         """Read what `save` wrote. Raises ValueError if the file is something else."""
         try:
-            with np.load(path, allow_pickle=False) as data:
+            # opened here, so that it is closed whatever it turns out to hold
+            with open(path, "rb") as file, np.load(file, allow_pickle=False) as data:
                 return cls(data["t"], data["x"], data["u"], Limits(*(float(limit) for limit in data["limits"])))
         except OSError:
             raise
