@@ -25,7 +25,7 @@ from baselines.policies import POLICIES, make_policy
 from baselines.tvlqr import riccati_gains
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, check_folder
 from heli_gym.trajectory import Maneuver, Trajectory
 
 PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
@@ -62,8 +62,13 @@ class Flight(NamedTuple):
 
 def evaluate(args: Args, console: Console) -> list[Flight]:
     """Fly every policy: once exactly, and then the episodes."""
+    check_folder("out", args.out)
+    if not args.policies or len(set(args.policies)) < len(args.policies):
+        raise ValueError(f"policies = {args.policies}: at least one is needed, and none twice")
     if args.episodes < 1:
         raise ValueError(f"episodes = {args.episodes}: at least 1 is needed")
+    if args.seed < 0:
+        raise ValueError(f"seed = {args.seed}: at least 0 is needed")
     exact = Heli3DOFEnv(args.plant, args.reference, PAPER_PERIOD)
     perturbed = Heli3DOFEnv(args.plant, args.reference, args.control_period, start_spread_deg=args.start_spread_deg)
     jobs = [] if exact.plant.is_random else [(exact, "exact", policy, args.seed) for policy in args.policies]
@@ -182,15 +187,15 @@ def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: 
     return [{"what": what, "paper": paper, "here": here} for what, paper, here in statements]
 
 
-def draw_figures(folder: Path, unconstrained: Trajectory, constrained: Trajectory, console: Console) -> None:
-    """Every figure of the paper but its photographs and schematics."""
+def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory, console: Console) -> None:
+    """Every figure of the paper but its photographs and schematics; Figs. 10 and 11 as flown on the plant."""
     maneuver = Maneuver()
     parameters, limits = maneuver.parameters, maneuver.limits
-    env = Heli3DOFEnv(reference=constrained, control_period=PAPER_PERIOD)
+    env = Heli3DOFEnv(args.plant, constrained, PAPER_PERIOD)
     start = constrained.x[:, 0].copy()
     start[[0, 2]] += np.radians(FIGURE_START_DEG)
     flights = {
-        name: fly(env, make_policy(name, constrained, PAPER_PERIOD), options={"state": start})
+        name: fly(env, make_policy(name, constrained, PAPER_PERIOD), seed=args.seed, options={"state": start})
         for name in ("open-loop", "feedforward+tvlqr")
     }
     drawings = {
@@ -206,7 +211,7 @@ def draw_figures(folder: Path, unconstrained: Trajectory, constrained: Trajector
         "overview": figures.overview(constrained, {"feedforward+tvlqr": flights["feedforward+tvlqr"]}),
     }
     for name, figure in track(drawings.items(), "drawing", console=console):
-        figures.save(figure, folder / f"{name}.png")
+        figures.save(figure, args.out / f"{name}.png")
 
 
 def main(args: Args | None = None) -> None:
@@ -240,7 +245,7 @@ def main(args: Args | None = None) -> None:
     with atomic_write(args.out / "results.json") as file:
         file.write(json.dumps(results, indent=1).encode())
     if args.figures:
-        draw_figures(args.out, unconstrained, constrained, console)
+        draw_figures(args, unconstrained, constrained, console)
     console.print(f"written to {args.out}")
 
 

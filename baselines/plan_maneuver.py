@@ -14,6 +14,7 @@ from rich.console import Console
 from baselines import figures
 from baselines.planner import InfeasibleManeuver, plan
 from heli_gym.parameters import Limits
+from heli_gym.storage import check_folder
 from heli_gym.trajectory import Maneuver
 
 
@@ -40,6 +41,7 @@ def main(args: Args | None = None) -> None:
     console = Console()
     began = time.perf_counter()
     try:
+        check_folder("out", args.out.parent)
         maneuver = Maneuver(
             start=(radians(args.start_travel_deg), radians(args.start_elevation_deg)),
             goal=(radians(args.travel_deg), radians(args.elevation_deg)),

@@ -2,6 +2,7 @@
 
 import inspect
 import math
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
@@ -168,12 +169,7 @@ class Heli3DOFEnv(gym.Env):
         self.features = np.ascontiguousarray(features.T)
         self.last_step = len(self.x_ref) - 1
         bound = task.observation_bound(
-            features,
-            self.plant,
-            self.voltage_limits,
-            self.pitch_limit,
-            self.reference.duration,
-            self.control_period,
+            features, self.plant, self.voltage_limits, self.pitch_limit, self.control_period
         ).astype(np.float32)
         self.observation_space = Box(-bound, bound, dtype=np.float32)
         self.action_space = Box(-1.0, 1.0, (2,), dtype=np.float32)
@@ -224,22 +220,22 @@ class Heli3DOFEnv(gym.Env):
             spread = math.radians(self.start_spread_deg)
             start[0::2] += self.np_random.uniform(-spread, spread, 3)
             return tuple(start.tolist())
-        state = np.asarray(options["state"], dtype=float)
-        near = state.shape == (6,) and np.isfinite(state).all() and (abs(state - start) <= task.FARTHEST_START).all()
-        if not near or task.crashed(state[4], self.pitch_limit):
+        state = _numbers(options["state"], 6)
+        near = state is not None and (abs(state - start) <= task.FARTHEST_START).all()
+        if state is None or not near or task.crashed(state[4], self.pitch_limit):
             raise ValueError(
                 f"options['state'] = {options['state']!r}: six finite numbers, at most 1 rad and 1 rad/s from the "
                 f"reference's start {start} and with the pitch within {self.pitch_limit:g} rad, are needed"
             )
-        return tuple(state.tolist())
+        return tuple(state)
 
     def _amplified(self, action: ArrayLike) -> tuple[float, float]:
         """The two voltages that the amplifier gives for an action: it saturates, which is all that is ever clipped."""
-        values = np.asarray(action, dtype=float)
-        if values.shape != (2,) or not all(map(math.isfinite, values.tolist())):
+        values = _numbers(action, 2)
+        if values is None:
             raise ValueError(f"action = {action!r}: two finite numbers are needed")
         low, high = self.voltage_limits
-        front, back = (min(max(task.to_voltage(a, self.voltage_limits), low), high) for a in values.tolist())
+        front, back = (min(max(task.to_voltage(value, self.voltage_limits), low), high) for value in values)
         return front, back
 
     def _error(self, x: tuple[float, ...]) -> list[float]:
@@ -258,14 +254,25 @@ class Heli3DOFEnv(gym.Env):
         }
 
 
-def _number(name: str, value: float, unit: str, low: float, high: float, or_least: bool = False) -> float:
+def _numbers(values: Any, count: int) -> list[float] | None:
+    """The values as so many finite floats; None if they are anything else."""
+    try:
+        array = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        return None
+    numbers = array.tolist()
+    return numbers if array.shape == (count,) and all(map(math.isfinite, numbers)) else None
+
+
+def _number(name: str, value: Any, unit: str, low: float, high: float, or_least: bool = False) -> float:
     """The value, if it is in (low, high] (or [low, high])."""
-    if not (low < value <= high or (or_least and value == low)):
+    if not isinstance(value, Real) or not (low < float(value) <= high or (or_least and value == low)):
         raise ValueError(f"{name} = {value!r}: more than {low:g} and at most {high:g} {unit} is needed")
     return float(value)
 
 
-def _pair(name: str, value: tuple[float, float]) -> tuple[float, float]:
-    if np.shape(value) != (2,) or not np.isfinite(value).all() or not value[0] < value[1]:
+def _pair(name: str, value: Any) -> tuple[float, float]:
+    numbers = _numbers(value, 2)
+    if numbers is None or not numbers[0] < numbers[1]:
         raise ValueError(f"{name} = {value!r}: (min, max) in V with min < max is needed")
-    return float(value[0]), float(value[1])
+    return numbers[0], numbers[1]

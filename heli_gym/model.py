@@ -21,6 +21,8 @@ def thrust(u: Any, parameters: HelicopterParameters = HelicopterParameters()) ->
 
     Its two cases are written as one, with |u|, so that the line serves whatever has an absolute value.
     """
+    if isinstance(u, list | tuple):
+        u = np.array(u, dtype=float)
     even, odd = parameters.k_plus + parameters.k_minus, parameters.k_plus - parameters.k_minus
     return 0.5 * (even * u + odd * abs(u)) * u
 

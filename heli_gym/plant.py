@@ -337,6 +337,6 @@ def find_plant(plant: str | Plant) -> Plant:
     """A plant by its name, or the plant itself. Raises ValueError for an unknown name."""
     if isinstance(plant, Plant):
         return plant
-    if plant not in PLANTS:
+    if not isinstance(plant, str) or plant not in PLANTS:
         raise ValueError(f"plant = {plant!r}: a Plant or one of {', '.join(map(repr, PLANTS))} is needed")
     return PLANTS[plant]

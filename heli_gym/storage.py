@@ -21,3 +21,11 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
         os.replace(unfinished, path)
     finally:
         unfinished.unlink(missing_ok=True)
+
+
+def check_folder(name: str, path: str | os.PathLike) -> None:
+    """Raises ValueError unless the path is a folder, or can become one."""
+    path = Path(path)
+    nearest = next(folder for folder in (path, *path.absolute().parents) if folder.exists())
+    if not nearest.is_dir():
+        raise ValueError(f"{name} = {str(path)!r}: a folder is needed, and {str(nearest)!r} is a file")

@@ -97,7 +97,6 @@ def observation_bound(
     plant: Plant,
     voltage_limits: tuple[float, float],
     pitch_limit: float,
-    duration: float,
     control_period: float,
 ) -> np.ndarray:
     """Bounds (8 + features,) on the absolute value of the observation that no flight can exceed.
@@ -113,12 +112,11 @@ def observation_bound(
     )
     if not plant.is_plain:
         acceleration *= 2.0
-    start, start_rate = np.array(FARTHEST_START[0::2]), np.array(FARTHEST_START[1::2])
-    rate = start_rate + acceleration * duration
-    angle = start + (start_rate + 0.5 * acceleration * duration) * duration
+    duration = control_period * features.shape[1]
+    start = np.abs(features[:6, 0]) + FARTHEST_START
+    rate = start[1::2] + acceleration * duration
+    angle = start[0::2] + (start[1::2] + 0.5 * acceleration * duration) * duration
     angle[2] = pitch_limit + rate[2] * control_period
+    reached = np.stack((angle, rate), axis=1).ravel()
     shown = np.abs(features).max(axis=1)
-    # a start may differ from the reference's, whatever that is; then both are added
-    reached = shown[:6] + np.stack((angle, rate), axis=1).ravel()
-    last_voltages = np.maximum(u_max, shown[6:8])
-    return np.concatenate((shown[:6] + reached, last_voltages, shown))
+    return np.concatenate((reached + shown[:6], np.maximum(u_max, shown[6:8]), shown))
