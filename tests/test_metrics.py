@@ -74,6 +74,8 @@ def test_a_flight_that_ends_early_has_no_success_and_counts_what_was_flown():
     assert metrics.success is False
     assert metrics.flown == 0.5
     assert_allclose(metrics.rms_error_deg, np.sqrt([5.0 / 3.0, 1.0, 4000.0 / 3.0]))
+    perfect_so_far = Trajectory(np.array([0.0, 0.25, 0.5]), np.zeros((6, 3)), np.full((2, 3), 6.0))
+    assert flight_metrics(perfect_so_far, still(Limits()), (0.0, 12.0)).success is False
 
 
 @pytest.mark.parametrize(("row", "degrees"), [(0, 3.1), (1, 6.1), (2, 3.1), (3, 6.1), (4, 6.1), (5, 30.1)])

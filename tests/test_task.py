@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from independent import inputs
+from independent import TABLE_I, equation_2, hover, inputs
 from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym import HelicopterParameters, Limits, Trajectory, task
@@ -188,20 +188,26 @@ def test_the_features_are_the_reference_at_each_preview_and_the_remaining_time()
 # Observation bounds
 
 
-def test_no_flight_at_the_extremes_exceeds_the_observation_bound():
-    control_period, steps, voltage_limits, pitch_limit = 0.05, 200, (0.0, 12.0), 1.3
-    features = task.reference_features(REFERENCE, control_period)
+@pytest.mark.parametrize("reference", [REFERENCE, hover(2.0)], ids=["travel-360", "hover"])
+def test_no_flight_at_the_extremes_exceeds_the_observation_bound(reference):
+    control_period, voltage_limits, pitch_limit = 0.05, (0.0, 12.0), 1.3
+    features = task.reference_features(reference, control_period)
     bound = task.observation_bound(features, Plant(), voltage_limits, pitch_limit, control_period)
     assert bound.shape == (49,)
-    assert (np.abs(features).max(axis=1) <= bound[8:]).all()
     assert np.isfinite(bound).all()
-    # every corner of the starts, under no thrust, full thrust and full thrust with full pitch acceleration
-    starts = np.array(list(itertools.product((-1.0, 1.0), repeat=6))).T
-    for u in itertools.product(voltage_limits, repeat=2):
-        x, flying = starts.copy(), np.ones(64, bool)
-        for k in range(1, steps + 1):
-            x = np.stack(rk4_step(lambda z, v=inputs(np.array(u)): dynamics(z, v, PARAMETERS), x, control_period))
-            error = x - REFERENCE(k * control_period)[0][:, None]
+    assert (np.abs(features).max(axis=1) <= bound[8:]).all()
+
+    def full_thrust_at_a_held_pitch(x):
+        v2 = -TABLE_I.a3 * np.cos(x[2]) * np.sin(x[4]) / TABLE_I.b3
+        return np.stack((2.0 * equation_2(12.0) - np.abs(v2), v2))
+
+    extremes = [lambda x, v=inputs(np.array(u)): v for u in itertools.product(voltage_limits, repeat=2)]
+    starts = reference.x[:, :1] + np.array(list(itertools.product((-1.0, 0.0, 1.0), repeat=6))).T
+    for v in (*extremes, full_thrust_at_a_held_pitch):
+        x, flying = starts.copy(), np.ones(starts.shape[1], bool)
+        for k in range(1, features.shape[1]):
+            x = np.stack(rk4_step(lambda z, held=v(x): dynamics(z, held, PARAMETERS), x, control_period))
+            error = x - reference(k * control_period)[0][:, None]
             assert (np.abs(error[:, flying]) <= bound[:6, None]).all()
             flying &= np.abs(x[4]) <= pitch_limit
 
