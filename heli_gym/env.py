@@ -17,7 +17,7 @@ from heli_gym.plant import Plant, advance, at_rest, find_plant, measure
 from heli_gym.trajectory import Trajectory
 
 REFERENCES = Path(__file__).parent / "references"
-LONGEST_PERIOD = 0.05  # s, up to which one Runge-Kutta step is accurate to 1e-8
+PERIODS = (1e-4, 0.05)  # s; up to the latter, one Runge-Kutta step through (3) is accurate to 1e-7
 
 
 def find_reference(reference: str | Trajectory) -> Trajectory:
@@ -33,7 +33,10 @@ def find_reference(reference: str | Trajectory) -> Trajectory:
         raise ValueError(
             f"reference = {reference!r}: a Trajectory, the path of an existing .npz file or one of {names} is needed"
         )
-    return Trajectory.load(path)
+    try:
+        return Trajectory.load(path)
+    except ValueError as error:
+        raise ValueError(f"reference = {reference!r}: {error}") from error
 
 
 class Heli3DOFEnv(gym.Env):
@@ -86,7 +89,7 @@ class Heli3DOFEnv(gym.Env):
     | 5      | pitch rate minus reference                             | rad/s |
     | 6-7    | last voltages (front, back)                            | V     |
     | 8-13   | reference state now, in the order of 0-5               | rad, rad/s |
-    | 14-15  | nominal voltages (front, back) now                     | V     |
+    | 14-15  | nominal voltages (front, back) in the coming period    | V     |
     | 16-23  | the same as 8-15, 0.1 s ahead                          |       |
     | 24-31  | 0.2 s ahead                                            |       |
     | 32-39  | 0.4 s ahead                                            |       |
@@ -122,7 +125,7 @@ class Heli3DOFEnv(gym.Env):
       pushes, gusts, a moving mass and rotor faults.
     - `reference`: the name of a packaged reference ("travel-360"), the path of an .npz file that `Trajectory.save`
       wrote, or a `Trajectory`.
-    - `control_period`: seconds between actions, up to 0.05. The paper's is 0.001.
+    - `control_period`: seconds between actions, 0.0001 to 0.05. The paper's is 0.001.
     - `pitch_limit`: rad, where the flight ends.
     - `voltage_limits`: V, the amplifier's (min, max).
     - `start_spread_deg`: degrees, see Starting State.
@@ -155,12 +158,12 @@ class Heli3DOFEnv(gym.Env):
         self.render_mode = render_mode
         self.plant = find_plant(plant)
         self.reference = find_reference(reference)
-        self.control_period = _number("control_period", control_period, "s", 0.0, LONGEST_PERIOD)
+        self.control_period = _number("control_period", control_period, "s", *PERIODS)
         steepest = float(np.abs(self.reference.x[4]).max())
         self.pitch_limit = _number("pitch_limit", pitch_limit, "rad", steepest, np.pi / 2)
         self.voltage_limits = _pair("voltage_limits", voltage_limits)
         room = np.degrees(min(self.pitch_limit - abs(self.reference.x[4, 0]), task.FARTHEST_START[0]))
-        self.start_spread_deg = _number("start_spread_deg", start_spread_deg, "deg", 0.0, room, or_least=True)
+        self.start_spread_deg = _number("start_spread_deg", start_spread_deg, "deg", 0.0, room)
 
         # One row per control step, and plain floats for one helicopter: many times faster than small arrays.
         x_ref, u_ref = task.control_grid(self.reference, self.control_period)
@@ -264,10 +267,10 @@ def _numbers(values: Any, count: int) -> list[float] | None:
     return numbers if array.shape == (count,) and all(map(math.isfinite, numbers)) else None
 
 
-def _number(name: str, value: Any, unit: str, low: float, high: float, or_least: bool = False) -> float:
-    """The value, if it is in (low, high] (or [low, high])."""
-    if not isinstance(value, Real) or not (low < float(value) <= high or (or_least and value == low)):
-        raise ValueError(f"{name} = {value!r}: more than {low:g} and at most {high:g} {unit} is needed")
+def _number(name: str, value: Any, unit: str, low: float, high: float) -> float:
+    """The value, if it is in [low, high]."""
+    if not isinstance(value, Real) or not low <= float(value) <= high:
+        raise ValueError(f"{name} = {value!r}: at least {low:g} and at most {high:g} {unit} is needed")
     return float(value)
 
 

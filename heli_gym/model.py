@@ -86,7 +86,7 @@ def hover_input(elevation: ArrayLike, parameters: HelicopterParameters) -> np.nd
 def rk4_step(derivative: Callable[[Any], Sequence], z: Sequence, dt: float) -> tuple:
     """The components z dt seconds later under dz/dt = derivative(z), by one Runge-Kutta step of order four.
 
-    Through (3), a step of 20 ms is accurate to 1e-10.
+    Through (3), a step of 20 ms is accurate to 1e-9.
     """
     h = 0.5 * dt
     d1 = derivative(z)

@@ -68,7 +68,7 @@ def succeeded(error: Any) -> Any:
 
 def control_steps(duration: float, control_period: float) -> int:
     """How many control periods a maneuver takes; the last one may outlast it."""
-    return math.ceil(duration / control_period - 1e-9)
+    return max(1, math.ceil(duration / control_period - 1e-9))
 
 
 def control_grid(reference: Trajectory, control_period: float, ahead: float = 0.0) -> tuple[np.ndarray, np.ndarray]:

@@ -71,7 +71,8 @@ class Trajectory:
     Args:
         t: (K,) times in s, increasing from 0.
         x: (6, K) states (44) in rad and rad/s.
-        u: (2, K) voltages (front, back) in V.
+        u: (2, K) voltages (front, back) in V. Those of a plan are linear in between; those of a flight were held from
+            each sample to the next.
         limits: the limits it was planned under, (9) by default.
 
     Raises:
