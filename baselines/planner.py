@@ -307,17 +307,18 @@ def plan_by_shortening(maneuver: Maneuver) -> Trajectory:
 
     while step > NEAREST:
         shorter = float(found[-1].t[-1]) * (1.0 - step)
-        ahead = None if shorter <= maneuver.duration else reach(shorter, found[-1])
-        if shorter <= maneuver.duration:
+        if shorter > maneuver.duration:
+            ahead = reach(shorter, found[-1])
+            if ahead is not None:
+                found.append(ahead)
+                continue
+        else:
             trajectory = checked(maneuver, reach(maneuver.duration, found[-1]))
             if trajectory is None and (below := reach(shorter, found[-1])):
                 trajectory = checked(maneuver, reach(maneuver.duration, below))
             if trajectory is not None:
                 return trajectory
-        if ahead is None:
-            step /= 2.0
-        else:
-            found.append(ahead)
+        step /= 2.0
     raise infeasible(maneuver, found)
 
 

@@ -8,7 +8,7 @@ Controllers are designed on the nominal parameters only, and are never shown a d
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, is_dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -194,12 +194,12 @@ class Plant:
         """One plant out of the ranges."""
         return drawn(self, rng)
 
-    @property
+    @cached_property
     def is_random(self) -> bool:
         """Whether episodes draw something from it."""
         return self.draw(np.random.default_rng(0)) != self
 
-    @property
+    @cached_property
     def is_plain(self) -> bool:
         """Whether it is no more than equation (3), which takes one Runge-Kutta step per control period."""
         return self.rig is None and self.rotors.lag == 0.0 and self.friction == Friction() and not self.disturbances
@@ -244,11 +244,16 @@ def advance(
     u_f, u_b = (min(max(asked, last - most), last + most) for asked, last in zip(u, state.voltage))
     gusts = tuple(wander(gust, value, dt, rng) for gust, value in zip(plant.disturbances, state.gusts))
 
-    steps = 1 if plant.is_plain else math.ceil(dt / SUBSTEP - 1e-9)
-    h = dt / steps
     z = (*state.x, *state.rotors) if plant.rotors.lag else (*state.x, u_f, u_b)
-    for k in range(steps):
-        z = rk4_step(partial(derivative, plant, (u_f, u_b), disturb(plant, gusts, time + (k + 0.5) * h)), z, h)
+    if plant.is_plain:
+        p, kept = plant.parameters, 1.0 - plant.rotors.thrust_loss
+        v = virtual_input((kept * thrust(u_f, p), kept * thrust(u_b, p)))
+        z = (*rk4_step(lambda x: dynamics(x, v, p, math.sin, math.cos), state.x, dt), u_f, u_b)
+    else:
+        steps = math.ceil(dt / SUBSTEP - 1e-9)
+        h = dt / steps
+        for k in range(steps):
+            z = rk4_step(partial(derivative, plant, (u_f, u_b), disturb(plant, gusts, time + (k + 0.5) * h)), z, h)
     new = state._replace(x=z[:6], rotors=z[6:], voltage=(u_f, u_b), pending=tuple(pending), gusts=gusts)
     return measure(plant, new, dt, rng)
 
