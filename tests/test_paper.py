@@ -15,14 +15,14 @@ from scipy.interpolate import CubicSpline
 from scipy.linalg import solve_continuous_are
 
 from baselines import normal_form, plan, plan_unconstrained, riccati_gains, saturation, tvlqr
-from baselines.planner import (
+from baselines.boundary_value import (
     FINE,
     KAPPA,
     ConstrainedProblem,
     setup_functions,
-    solve_from_unconstrained,
     solve_unconstrained,
 )
+from baselines.planner import solve_from_unconstrained
 from heli_gym import HelicopterParameters, Limits, Maneuver, Trajectory, dynamics, linearise, thrust, voltage
 from heli_gym.model import STATE_NAMES, fan_thrusts, hover_input, virtual_input
 

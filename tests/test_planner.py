@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose
 from scipy.optimize import root
 
 from baselines import InfeasibleManeuver, plan, plan_unconstrained
-from baselines.planner import FINE, ConstrainedProblem, solve_unconstrained
+from baselines.boundary_value import FINE, ConstrainedProblem, solve_unconstrained
 from heli_gym import HelicopterParameters, Limits, Maneuver
 
 
