@@ -1,4 +1,4 @@
-"""How the weights of (49) were chosen: `python -m baselines.tune` repeats it, in about ten minutes.
+"""Whether the weights of (49) could be better: `python -m baselines.tune` tells, in about a quarter of an hour.
 
 The paper gives no weights. Half of the helicopters that they are tuned on are nominal, the others are draws of the
 plant `lab`; all start up to 5 degrees off. What is maximised is what a learner would maximise: the environment's mean
