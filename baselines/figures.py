@@ -110,7 +110,9 @@ def feedforward(trajectory: Trajectory, parameters: HelicopterParameters, title:
     draw_limits(v2_panel.axhline, v2_bounds(f))
     note(v1_panel, r"limits $v_1^\pm(v_2)$ of (20)")
     note(v2_panel, v2_label(trajectory.limits, f))
-    paper = paper_says(f"{Maneuver().duration:g} s", trajectory.limits)
+    turn = trajectory.x[[0, 2], -1] - trajectory.x[[0, 2], 0]
+    is_papers = np.allclose(turn, np.subtract(Maneuver().goal, Maneuver().start), atol=1e-3)
+    paper = paper_says(f"{Maneuver().duration:g} s", trajectory.limits) if is_papers else ""
     figure.suptitle(f"{title}, $T$ = {trajectory.duration:.4g} s{paper}")
     finish(figure)
     return figure

@@ -238,3 +238,10 @@ def test_figures_leave_matplotlib_s_settings_alone():
 def test_figures_need_no_pyplot():
     code = "import sys, baselines.figures; sys.exit('matplotlib.pyplot' in sys.modules)"
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_only_the_papers_maneuver_is_compared_with_the_papers_duration(paper_plan):
+    half = Trajectory(paper_plan.t, paper_plan.x * [[0.5], [0.5], [1.0], [1.0], [1.0], [1.0]], paper_plan.u)
+    for trajectory, compared in ((paper_plan, True), (half, False)):
+        title = figures.feedforward(trajectory, PARAMETERS, "a plan").get_suptitle()
+        assert ("(paper: 10 s)" in title) is compared
