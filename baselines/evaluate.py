@@ -176,9 +176,9 @@ def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: 
         return f"{trajectory.u.min():.2f} to {trajectory.u.max():.2f} V"
 
     statements = [
-        ("v2± of (18), Section III-D", "±0.58 N", f"±{v2_bounds(thrust_bounds(limits, p))[1]:.4f} N"),
-        ("|a3|/b3 of (43)", "0.11 N", f"{abs(p.a3) / p.b3:.4f} N"),
-        ("duration T of (8)", "10 s", f"{constrained.duration:g} s"),
+        ("v2± of (18), Section III-D", f"±{figures.PAPER_V2} N", f"±{v2_bounds(thrust_bounds(limits, p))[1]:.4f} N"),
+        ("|a3|/b3 of (43)", f"{figures.PAPER_LEAST_V2} N", f"{abs(p.a3) / p.b3:.4f} N"),
+        ("duration T of (8)", f"{maneuver.duration:g} s", f"{constrained.duration:g} s"),
         ("pitch without constraints, Fig. 4", f"leaves ±{np.degrees(limits.pitch_max):g}°", pitch(unconstrained)),
         ("voltages without constraints, Fig. 4", f"both exceed {limits.u_max:g} V", voltages(unconstrained)),
         ("pitch with constraints, Fig. 8", pitch_window, pitch(constrained)),
