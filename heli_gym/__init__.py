@@ -11,4 +11,8 @@ from heli_gym.trajectory import Maneuver, Trajectory
 
 __all__ = ["HelicopterParameters", "Limits", "Maneuver", "Trajectory", "dynamics", "linearise", "thrust", "voltage"]
 
-register(id="Heli3DOF-v0", entry_point="heli_gym.env:Heli3DOFEnv")
+register(
+    id="Heli3DOF-v0",
+    entry_point="heli_gym.env:Heli3DOFEnv",
+    vector_entry_point="heli_gym.vector_env:Heli3DOFVectorEnv",
+)

@@ -13,9 +13,12 @@ from numpy.typing import ArrayLike
 
 from heli_gym import task
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
-from heli_gym.plant import Plant, advance, at_rest, find_plant, measure
+from heli_gym.plant import Plant, find_plant
+from heli_gym.rendering import Renderer, Scene
+from heli_gym.simulation import ASKED, LAST, OBSERVED, REPORT, START_UNIFORMS, STEP, TABLE, Simulation, X
 from heli_gym.trajectory import Trajectory
 
+ONLY = np.zeros(1, int)  # the only helicopter of its simulation
 REFERENCES = Path(__file__).parent / "references"
 PERIODS = (1e-4, 0.05)  # s; up to the latter, one Runge-Kutta step through (3) is accurate to 1e-7
 
@@ -111,8 +114,9 @@ class Heli3DOFEnv(gym.Env):
     ## Starting State
 
     The reference's start, at rest. With `start_spread_deg`, each of the three angles is drawn uniformly within that
-    distance of it. `reset(options={"state": x})` starts at the state x (6,) instead, within 1 rad and 1 rad/s of the
-    reference's start; `reset(options={"plant": plant})` flies another plant in this episode.
+    distance of it. With `random_start`, it is the state at a random time of the maneuver instead, and what is left of
+    the maneuver is flown. `reset(options={"state": x})` starts at the state x (6,) instead, within 1 rad and 1 rad/s of
+    the reference's start; `reset(options={"plant": plant})` flies another plant in this episode.
 
     ## Episode End
 
@@ -129,6 +133,8 @@ class Heli3DOFEnv(gym.Env):
     - `pitch_limit`: rad, where the flight ends.
     - `voltage_limits`: V, the amplifier's (min, max).
     - `start_spread_deg`: degrees, see Starting State.
+    - `random_start`: whether episodes start at a random time of the maneuver, rather than at its start.
+    - `render_mode`: "human" for a window, in real time; "rgb_array" for pictures. Both need `heli-gym[render]`.
 
     All are plain values, so that a spec survives JSON, or objects. Bad ones raise a `ValueError` that names them.
 
@@ -137,7 +143,7 @@ class Heli3DOFEnv(gym.Env):
     - v0: first version.
     """
 
-    metadata: dict[str, Any] = {"render_modes": []}  # noqa: RUF012
+    metadata: dict[str, Any] = {"render_modes": ["human", "rgb_array"], "render_fps": 50}  # noqa: RUF012
 
     def __init__(
         self,
@@ -147,35 +153,35 @@ class Heli3DOFEnv(gym.Env):
         pitch_limit: float = PITCH_STOP,
         voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS,
         start_spread_deg: float = 0.0,
+        random_start: bool = False,
         render_mode: str | None = None,
         **unknown: Any,
     ) -> None:
         if unknown:
             known = ", ".join(inspect.signature(Heli3DOFEnv).parameters).removesuffix(", unknown")
             raise ValueError(f"{', '.join(f'{k} = {v!r}' for k, v in unknown.items())}: the arguments are {known}")
-        if render_mode is not None:
-            raise ValueError(f"render_mode = {render_mode!r}: None is all there is")
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            raise ValueError(f"render_mode = {render_mode!r}: None, 'human' or 'rgb_array' is needed")
         self.render_mode = render_mode
+        self.renderer: Renderer | None = None
         self.plant = find_plant(plant)
         self.reference = find_reference(reference)
         self.control_period = _number("control_period", control_period, "s", *PERIODS)
+        self.metadata = {**self.metadata, "render_fps": round(1.0 / self.control_period)}
         steepest = float(np.abs(self.reference.x[4]).max())
         self.pitch_limit = _number("pitch_limit", pitch_limit, "rad", steepest, np.pi / 2)
         self.voltage_limits = _pair("voltage_limits", voltage_limits)
         room = np.degrees(min(self.pitch_limit - abs(self.reference.x[4, 0]), task.FARTHEST_START[0]))
         self.start_spread_deg = _number("start_spread_deg", start_spread_deg, "deg", 0.0, room)
 
-        # One row per control step, and plain floats for one helicopter: many times faster than small arrays.
-        x_ref, u_ref = task.control_grid(self.reference, self.control_period)
-        features = task.reference_features(self.reference, self.control_period).astype(np.float32)
-        self.x_ref, self.u_ref = x_ref.T.tolist(), u_ref.T.tolist()
-        self.features = np.ascontiguousarray(features.T)
-        self.last_step = len(self.x_ref) - 1
+        self.random_start = bool(random_start)
+        self.own_simulation = self.simulation = self._simulation(self.plant)
         bound = task.observation_bound(
-            features, self.plant, self.voltage_limits, self.pitch_limit, self.control_period
+            self.simulation.features.T, self.plant, self.voltage_limits, self.pitch_limit, self.control_period
         ).astype(np.float32)
         self.observation_space = Box(-bound, bound, dtype=np.float32)
         self.action_space = Box(-1.0, 1.0, (2,), dtype=np.float32)
+        self.last_step = int(self.simulation.initial[LAST, 0])
         self.over = True
 
     def reset(
@@ -187,74 +193,127 @@ class Heli3DOFEnv(gym.Env):
         unknown = set(options) - {"state", "plant"}
         if unknown:
             raise ValueError(f"options = {options!r}: only 'state' and 'plant' are known")
-        self.drawn_plant = find_plant(options.get("plant", self.plant)).draw(self.np_random)
+        plant = find_plant(options.get("plant", self.plant))
+        simulation = self.own_simulation if plant is self.plant else self._simulation(plant)
         start = self._start(options)
-        self.voltage = tuple(self.reference.u[:, 0].tolist())
-        self.state = measure(self.drawn_plant, at_rest(self.drawn_plant, start, self.voltage), math.inf, self.np_random)
-        self.step_count = 0
+        uniforms = simulation.draw(self.np_random)
+        simulation.begin(ONLY, uniforms[None], start)
+        self.drawn_plant = plant.at(uniforms[START_UNIFORMS:])
+        self.simulation, self.step_one = simulation, simulation.kernels.step_one
+        self.step_count = int(simulation.rows(STEP, 1)[0, 0])
         self.over = False
-        return self._observation(), self._info()
+        observation, told = np.empty((1, OBSERVED), np.float32), np.empty((REPORT, 1))
+        simulation.observe(ONLY, observation, told)
+        if self.render_mode == "human":
+            self.render()
+        return observation[0], self._info(told[:, 0])
 
     def step(self, action: ArrayLike) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
         """One control period with the voltages held. Raises ValueError for an action that is not two finite numbers."""
         if self.over:
             raise gym.error.ResetNeeded("the episode is over: call reset before step")
-        u = self.voltage = self._amplified(action)
-        du = [applied - nominal for applied, nominal in zip(u, self.u_ref[self.step_count])]
-        time = self.step_count * self.control_period
-        self.state = advance(self.drawn_plant, self.state, u, time, self.control_period, self.np_random)
+        front, back = finite_pair(action)
+        s, observation, told = self.simulation, np.empty(OBSERVED, np.float32), np.empty(REPORT)
+        reward, cost, terminated, truncated = self.step_one(
+            s.blocks, s.settings, s.table, s.features, front, back, observation, told
+        )
         self.step_count += 1
+        info = self._info(told)
+        info["voltage"] = told[12:14]
+        info["cost"] = cost
+        if terminated or truncated:
+            self.over = True
+            info["is_success"] = truncated and bool(task.succeeded(s.errors()[:, 0]))
+        if self.render_mode == "human":
+            self.render()
+        return observation, reward, terminated, truncated, info
 
-        error = self._error(self.state.x)
-        pitch = self.state.x[4]
-        terminated = task.crashed(pitch, self.pitch_limit)
-        truncated = not terminated and self.step_count == self.last_step
-        self.over = terminated or truncated
-        info = self._info()
-        info["voltage"] = np.array(u)
-        info["cost"] = self.control_period * task.cost(pitch, u, self.reference.limits)
-        if self.over:
-            info["is_success"] = truncated and bool(task.succeeded(error))
-        return self._observation(), self.control_period * task.reward(error, du), terminated, truncated, info
+    def render(self) -> np.ndarray | None:
+        """The helicopter now: a picture (720, 960, 3), uint8, or None and a window, as the render mode says.
 
-    def _start(self, options: dict[str, Any]) -> tuple[float, ...]:
-        start = np.array(self.x_ref[0])
+        Raises gymnasium.error.DependencyNotInstalled without pygame.
+        """
+        if self.render_mode is None:
+            gym.logger.warn("render: without a render mode nothing is drawn; make the environment with one")
+            return None
+        if not hasattr(self, "step_one"):
+            raise gym.error.ResetNeeded("there is nothing to draw yet: call reset before render")
+        if self.renderer is None:
+            self.renderer = Renderer()
+        scene = scene_of(self.simulation, 0)
+        if self.render_mode == "rgb_array":
+            return self.renderer.frame(scene)
+        self.renderer.show(scene)
+        return None
+
+    def close(self) -> None:
+        """Close the window, if there is one."""
+        if self.renderer is not None:
+            self.renderer.close()
+            self.renderer = None
+
+    def _simulation(self, plant: Plant) -> Simulation:
+        """Of one helicopter of this plant."""
+        return Simulation(
+            [plant],
+            [self.reference],
+            self.control_period,
+            self.voltage_limits,
+            self.pitch_limit,
+            math.radians(self.start_spread_deg),
+            self.random_start,
+        )
+
+    def _start(self, options: dict[str, Any]) -> np.ndarray | None:
+        """The state (6, 1) that the options ask for, if they do."""
         if "state" not in options:
-            spread = math.radians(self.start_spread_deg)
-            start[0::2] += self.np_random.uniform(-spread, spread, 3)
-            return tuple(start.tolist())
-        state = _numbers(options["state"], 6)
-        near = state is not None and (abs(state - start) <= task.FARTHEST_START).all()
+            return None
+        nominal, state = self.reference.x[:, 0], _numbers(options["state"], 6)
+        near = state is not None and (abs(state - nominal) <= task.FARTHEST_START).all()
         if state is None or not near or task.crashed(state[4], self.pitch_limit):
             raise ValueError(
                 f"options['state'] = {options['state']!r}: six finite numbers, at most 1 rad and 1 rad/s from the "
-                f"reference's start {start} and with the pitch within {self.pitch_limit:g} rad, are needed"
+                f"reference's start {nominal} and with the pitch within {self.pitch_limit:g} rad, are needed"
             )
-        return tuple(state)
+        return np.array(state)[:, None]
 
-    def _amplified(self, action: ArrayLike) -> tuple[float, float]:
-        """The two voltages that the amplifier gives for an action: it saturates, which is all that is ever clipped."""
-        values = _numbers(action, 2)
-        if values is None:
-            raise ValueError(f"action = {action!r}: two finite numbers are needed")
-        low, high = self.voltage_limits
-        front, back = (min(max(task.to_voltage(value, self.voltage_limits), low), high) for value in values)
-        return front, back
-
-    def _error(self, x: tuple[float, ...]) -> list[float]:
-        return [value - nominal for value, nominal in zip(x, self.x_ref[self.step_count])]
-
-    def _observation(self) -> np.ndarray:
-        known = np.array((*self._error(self.state.measurement), *self.voltage), dtype=np.float32)
-        return np.concatenate((known, self.features[self.step_count]))
-
-    def _info(self) -> dict[str, Any]:
+    def _info(self, told: np.ndarray) -> dict[str, Any]:
         return {
-            "state": np.array(self.state.x),
-            "measurement": np.array(self.state.measurement),
+            "state": told[0:6],
+            "measurement": told[6:12],
             "time": self.step_count * self.control_period,
             "plant": self.drawn_plant,
         }
+
+
+def scene_of(simulation: Simulation, j: int) -> Scene:
+    """What there is to draw of a helicopter of a simulation."""
+    step, last, first = (int(simulation.rows(row, 1)[0, j]) for row in (STEP, LAST, TABLE))
+    reference = simulation.references[j]
+    return Scene(
+        state=tuple(simulation.rows(X, 6)[:, j].tolist()),
+        voltage=tuple(simulation.rows(ASKED, 2)[:, j].tolist()),
+        reference=tuple(simulation.table[first + step, :6].tolist()),
+        nominal_voltage=tuple(simulation.table[first + max(step - 1, 0), 6:].tolist()),
+        time=step * simulation.control_period,
+        duration=last * simulation.control_period,
+        travel_start=float(simulation.table[first, 0]),
+        limits=reference.limits,
+        voltage_limits=simulation.voltage_limits,
+        pitch_limit=simulation.pitch_limit,
+    )
+
+
+def finite_pair(action: Any) -> tuple[float, float]:
+    """The two numbers of an action. Raises ValueError if it is anything else."""
+    if type(action) is np.ndarray and action.dtype.char in "fd" and action.shape == (2,):
+        front, back = action.tolist()
+        if -math.inf < front < math.inf and -math.inf < back < math.inf:
+            return front, back
+    values = _numbers(action, 2)
+    if values is None:
+        raise ValueError(f"action = {action!r}: two finite numbers are needed")
+    return values[0], values[1]
 
 
 def _numbers(values: Any, count: int) -> list[float] | None:

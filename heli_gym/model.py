@@ -5,7 +5,7 @@ Arrays are components first: a state x is (6,) or (6, N), in the order (44)
 (front, back), virtual inputs v are (sum, difference) of the thrusts.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -21,8 +21,6 @@ def thrust(u: Any, parameters: HelicopterParameters = HelicopterParameters()) ->
 
     Its two cases are written as one, with |u|, so that the line serves whatever has an absolute value.
     """
-    if isinstance(u, list | tuple):
-        u = np.array(u, dtype=float)
     even, odd = parameters.k_plus + parameters.k_minus, parameters.k_plus - parameters.k_minus
     return 0.5 * (even * u + odd * abs(u)) * u
 
@@ -83,14 +81,21 @@ def hover_input(elevation: ArrayLike, parameters: HelicopterParameters) -> np.nd
     return np.stack((v1, np.zeros_like(v1)))
 
 
-def rk4_step(derivative: Callable[[Any], Sequence], z: Sequence, dt: float) -> tuple:
-    """The components z dt seconds later under dz/dt = derivative(z), by one Runge-Kutta step of order four.
+def rk4_step(derivative: Callable, x: Any, inputs: tuple, dt: Any, *constants: Any) -> tuple:
+    """The state x (6, ...) dt seconds later under dx/dt = derivative(x, input, *constants).
 
-    Through (3), a step of 20 ms is accurate to 1e-9.
+    One Runge-Kutta step of order four. The inputs are those at its start, middle and end. Through (3), a step of 20 ms
+    is accurate to 1e-9.
     """
-    h = 0.5 * dt
-    d1 = derivative(z)
-    d2 = derivative([a + h * b for a, b in zip(z, d1)])
-    d3 = derivative([a + h * b for a, b in zip(z, d2)])
-    d4 = derivative([a + dt * b for a, b in zip(z, d3)])
-    return tuple([a + dt / 6.0 * (b + 2.0 * (c + d) + e) for a, b, c, d, e in zip(z, d1, d2, d3, d4)])
+    start, middle, end = inputs
+    d1 = derivative(x, start, *constants)
+    d2 = derivative(moved(x, dt / 2.0, d1), middle, *constants)
+    d3 = derivative(moved(x, dt / 2.0, d2), middle, *constants)
+    d4 = derivative(moved(x, dt, d3), end, *constants)
+    x = moved(moved(x, dt / 6.0, d1), dt / 3.0, d2)
+    return moved(moved(x, dt / 3.0, d3), dt / 6.0, d4)
+
+
+def moved(x: Any, h: Any, d: Any) -> tuple:
+    """x + h d, component by component (6, ...)."""
+    return x[0] + h * d[0], x[1] + h * d[1], x[2] + h * d[2], x[3] + h * d[3], x[4] + h * d[4], x[5] + h * d[5]

@@ -5,17 +5,17 @@ draws. The ranges of the presets are those of published models and data of such 
 Controllers are designed on the nominal parameters only, and are never shown a draw.
 """
 
+import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass, replace
-from functools import cached_property, partial
-from typing import Any, NamedTuple, TypeAlias
+from functools import cached_property
+from typing import Any, TypeAlias
 
 import numpy as np
 
-from heli_gym.model import dynamics, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.rigid_body import VARIANTS, rigid_dynamics, solve_rigid_body
+from heli_gym.rigid_body import VARIANTS, solve_rigid_body
 
 AXES = ("travel", "elevation", "pitch")
 ROTORS = ("front", "back")
@@ -59,16 +59,37 @@ class OneOf:
     options: tuple[Any, ...]
 
 
-def drawn(value: Any, rng: np.random.Generator) -> Any:
-    """The value with every range in it, however deep, replaced by a draw."""
-    if isinstance(value, Uniform):
-        return float(rng.uniform(value.low, value.high))
+def alternatives(value: Any) -> list:
+    """The value once for each combination of the options in it, however deep."""
     if isinstance(value, OneOf):
-        return drawn(value.options[rng.integers(len(value.options))], rng)
-    if is_dataclass(value) and not isinstance(value, type):
-        return replace(value, **{f.name: drawn(getattr(value, f.name), rng) for f in fields(value)})
+        return [alternative for option in value.options for alternative in alternatives(option)]
+    return [rebuilt(value, parts) for parts in itertools.product(*map(alternatives, parts_of(value)))]
+
+
+def count_ranges(value: Any) -> int:
+    """How many ranges there are in it, however deep."""
+    return 1 if isinstance(value, Uniform) else sum(map(count_ranges, parts_of(value)))
+
+
+def drawn(value: Any, uniforms: Iterator[float]) -> Any:
+    """The value with every range in it, however deep, replaced by its point at the next of the uniforms in [0, 1)."""
+    if isinstance(value, Uniform):
+        return value.low + (value.high - value.low) * next(uniforms)
+    return rebuilt(value, [drawn(part, uniforms) for part in parts_of(value)])
+
+
+def parts_of(value: Any) -> list:
+    """The fields of a dataclass, the items of a tuple, nothing of anything else."""
+    if is_dataclass(value) and not isinstance(value, Uniform):
+        return [getattr(value, f.name) for f in fields(value)]
+    return list(value) if isinstance(value, tuple) else []
+
+
+def rebuilt(value: Any, parts: Sequence) -> Any:
+    """The value with other parts."""
+    if is_dataclass(value) and not isinstance(value, Uniform):
+        return replace(value, **{f.name: part for f, part in zip(fields(value), parts)})  # type: ignore[type-var]
     if isinstance(value, tuple):
-        parts = [drawn(part, rng) for part in value]
         return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
     return value
 
@@ -190,14 +211,37 @@ class Plant:
     sensors: Sensors | None = None  # without any, the state itself is measured
     disturbances: tuple[Disturbance, ...] = ()
 
-    def draw(self, rng: np.random.Generator) -> "Plant":
-        """One plant out of the ranges."""
-        return drawn(self, rng)
+    @cached_property
+    def alternatives(self) -> list["Plant"]:
+        """The plants, with ranges but without options, of which every episode draws one."""
+        return alternatives(self)
 
     @cached_property
+    def uniforms(self) -> int:
+        """How many numbers in [0, 1) a draw takes: one for the alternative, and one for each range."""
+        ranges = max(map(count_ranges, self.alternatives))
+        return 1 + ranges if ranges or len(self.alternatives) > 1 else 0
+
+    def at(self, uniforms: np.ndarray) -> "Plant":
+        """The plant out of the ranges at these numbers (self.uniforms,) in [0, 1)."""
+        if not self.uniforms:
+            return self
+        return drawn(self.alternatives[int(uniforms[0] * len(self.alternatives))], iter(uniforms[1:].tolist()))
+
+    def draw(self, rng: np.random.Generator) -> "Plant":
+        """One plant out of the ranges."""
+        return self.at(rng.random(self.uniforms))
+
+    @property
     def is_random(self) -> bool:
         """Whether episodes draw something from it."""
-        return self.draw(np.random.default_rng(0)) != self
+        return self.uniforms > 0
+
+    @cached_property
+    def is_noisy(self) -> bool:
+        """Whether chance plays a part in a flight after its start."""
+        noise = 0.0 if self.sensors is None else self.sensors.noise
+        return noise != 0.0 or any(isinstance(value, Gust) for value in self.disturbances)
 
     @cached_property
     def is_plain(self) -> bool:
@@ -205,119 +249,32 @@ class Plant:
         return self.rig is None and self.rotors.lag == 0.0 and self.friction == Friction() and not self.disturbances
 
 
-class PlantState(NamedTuple):
-    """All that a drawn plant remembers of a flight."""
-
-    x: tuple[float, ...]  # (44), rad and rad/s
-    rotors: tuple[float, ...]  # (2,) V, to which the rotor speeds correspond
-    voltage: tuple[float, float]  # V, at the motors
-    pending: tuple[tuple[float, float], ...]  # V, asked for and delayed
-    gusts: tuple[float, ...]  # rad/s²
-    angles: tuple[float, ...]  # (3,) rad, as measured last
-    rates: tuple[float, ...]  # (3,) rad/s, as estimated from these
-
-    @property
-    def measurement(self) -> tuple[float, ...]:
-        """What a controller may use, in the order of (44)."""
-        return tuple(value for pair in zip(self.angles, self.rates) for value in pair)
+def resistance(rate: Any, viscous: Any, coulomb: Any) -> Any:
+    """Deceleration in rad/s² by friction at a rate in rad/s."""
+    return viscous * rate + coulomb * rate / (rate * rate + COULOMB_RATE * COULOMB_RATE) ** 0.5
 
 
-def at_rest(plant: Plant, x: tuple[float, ...], u: tuple[float, float]) -> PlantState:
-    """A drawn plant in the state x (6,), its rotors turning at the voltages u (2,) in V."""
-    return PlantState(
-        x=x,
-        rotors=u,
-        voltage=u,
-        pending=(u,) * plant.rotors.delay,
-        gusts=(0.0,) * len(plant.disturbances),
-        angles=(x[0], x[2], x[4]),
-        rates=(x[1], x[3], x[5]),
-    )
+def hindered(x: Any, dx: tuple, viscous: Any, coulomb: Any, torques: Any, cos: Any = np.cos) -> tuple:
+    """The time derivative dx (6, ...) of a model's state x, with friction (3, ...) and disturbances.
 
-
-def advance(
-    plant: Plant, state: PlantState, u: tuple[float, float], time: float, dt: float, rng: np.random.Generator
-) -> PlantState:
-    """A drawn plant dt seconds later, the voltages u (2,) in V having been asked for at the time given in s."""
-    u, *pending = *state.pending, u
-    most = plant.rotors.slew * dt
-    u_f, u_b = (min(max(asked, last - most), last + most) for asked, last in zip(u, state.voltage))
-    gusts = tuple(wander(gust, value, dt, rng) for gust, value in zip(plant.disturbances, state.gusts))
-
-    z = (*state.x, *state.rotors) if plant.rotors.lag else (*state.x, u_f, u_b)
-    if plant.is_plain:
-        p, kept = plant.parameters, 1.0 - plant.rotors.thrust_loss
-        v = virtual_input((kept * thrust(u_f, p), kept * thrust(u_b, p)))
-        z = (*rk4_step(lambda x: dynamics(x, v, p, math.sin, math.cos), state.x, dt), u_f, u_b)
-    else:
-        steps = math.ceil(dt / SUBSTEP - 1e-9)
-        h = dt / steps
-        for k in range(steps):
-            z = rk4_step(partial(derivative, plant, (u_f, u_b), disturb(plant, gusts, time + (k + 0.5) * h)), z, h)
-    new = state._replace(x=z[:6], rotors=z[6:], voltage=(u_f, u_b), pending=tuple(pending), gusts=gusts)
-    return measure(plant, new, dt, rng)
-
-
-def derivative(plant: Plant, u: tuple[float, float], disturbance: tuple, z: Sequence) -> tuple:
-    """Time derivative of z = (x, rotors) (8,): the model, friction, disturbances, and the rotors' lag behind u (2,)."""
-    *x, w_f, w_b = z
-    (travel, elevation, pitch, a2_change), (front, back) = disturbance
-    p, rotors, friction = plant.parameters, plant.rotors, plant.friction
-    kept = 1.0 - rotors.thrust_loss
-    v = virtual_input((kept * front * thrust(w_f, p), kept * back * thrust(w_b, p)))
-    if plant.rig is None:
-        dx = dynamics(x, v, p, math.sin, math.cos)
-    else:
-        dx = rigid_dynamics(x, v, plant.rig, math.sin, math.cos)
+    The torques (4, ...) are accelerations in rad/s² of travel, elevation and pitch, and a change of a2 in (3).
+    """
     dq1, ddq1, dq2, ddq2, dq3, ddq3 = dx
-    elevation += a2_change * math.cos(x[2])
-    slow1, slow2, slow3 = (
-        viscous * rate + coulomb * math.tanh(rate / COULOMB_RATE)
-        for viscous, coulomb, rate in zip(friction.viscous, friction.coulomb, (dq1, dq2, dq3))
+    on_travel, on_elevation, on_pitch, a2_change = torques
+    return (
+        dq1,
+        ddq1 + on_travel - resistance(dq1, viscous[0], coulomb[0]),
+        dq2,
+        ddq2 + on_elevation + a2_change * cos(x[2]) - resistance(dq2, viscous[1], coulomb[1]),
+        dq3,
+        ddq3 + on_pitch - resistance(dq3, viscous[2], coulomb[2]),
     )
-    dw_f, dw_b = ((u[0] - w_f) / rotors.lag, (u[1] - w_b) / rotors.lag) if rotors.lag else (0.0, 0.0)
-    return dq1, ddq1 + travel - slow1, dq2, ddq2 + elevation - slow2, dq3, ddq3 + pitch - slow3, dw_f, dw_b
 
 
-def disturb(plant: Plant, gusts: tuple[float, ...], time: float) -> tuple[list[float], list[float]]:
-    """At a time in s: accelerations (4,) in rad/s² of travel, elevation and pitch and in a2; effectiveness (2,)."""
-    accelerations, effectiveness = [0.0, 0.0, 0.0, 0.0], [1.0, 1.0]
-    for disturbance, gust in zip(plant.disturbances, gusts):
-        match disturbance:
-            case Push(axis, acceleration, start, duration):
-                if start <= time < start + duration:
-                    accelerations[AXES.index(axis)] += acceleration
-            case Gust(axis):
-                accelerations[AXES.index(axis)] += gust
-            case MovingMass(a2_change, start, duration):
-                accelerations[3] += a2_change * min(max((time - start) / duration, 0.0), 1.0)
-            case RotorFault(rotor, loss, start):
-                if time >= start:
-                    effectiveness[ROTORS.index(rotor)] *= 1.0 - loss
-    return accelerations, effectiveness
-
-
-def wander(disturbance: Disturbance, gust: float, dt: float, rng: np.random.Generator) -> float:
-    """The next value of an Ornstein-Uhlenbeck process, sampled exactly; nothing for what is not a gust."""
-    if not isinstance(disturbance, Gust):
-        return 0.0
-    kept = math.exp(-dt / disturbance.correlation_time)
-    return kept * gust + math.sqrt(1.0 - kept**2) * disturbance.strength * rng.standard_normal()
-
-
-def measure(plant: Plant, state: PlantState, dt: float, rng: np.random.Generator) -> PlantState:
-    """The state with new measurements, dt seconds after the last ones."""
-    true_angles, true_rates = state.x[0::2], state.x[1::2]
-    if plant.sensors is None:
-        return state._replace(angles=true_angles, rates=true_rates)
-    kept = math.exp(-dt / plant.sensors.rate_filter)
-    angles, rates = [], []
-    for angle, counts, last, rate in zip(true_angles, plant.sensors.counts, state.angles, state.rates):
-        count = 2.0 * math.pi / counts
-        noisy = angle + plant.sensors.noise * rng.standard_normal() if plant.sensors.noise else angle
-        angles.append(count * round(noisy / count))
-        rates.append(kept * rate + (1.0 - kept) * (angles[-1] - last) / dt)
-    return state._replace(angles=tuple(angles), rates=tuple(rates))
+def encoded(angle: Any, counts: Any, floor: Any = np.floor) -> Any:
+    """The angle in rad that an encoder of so many counts per revolution tells."""
+    count = 2.0 * math.pi / counts
+    return count * floor(angle / count + 0.5)
 
 
 LAB_ROTORS = Rotors(lag=Uniform(0.05, 0.2), thrust_loss=Uniform(0.0, 0.15), delay=1)

@@ -13,6 +13,7 @@ from heli_gym.plant import Plant
 from heli_gym.trajectory import Trajectory
 
 PREVIEW = (0.0, 0.1, 0.2, 0.4, 0.8)  # s ahead, at which the observation shows the reference
+FEATURES = 8 * len(PREVIEW) + 1  # numbers that it shows: states and voltages, and the remaining time
 
 # The tracking error (travel, elevation, pitch, each with its rate; rad and rad/s) that counts as one in the reward,
 # and within which the flight has succeeded at its end.
@@ -41,17 +42,20 @@ def reward(error: Any, du: Any) -> Any:
     1 on the reference, 1/2 where the squares of all errors, each in units of its tolerance, add up to 1. It is never
     negative, so that ending an episode early never pays, and falls slowly, so that it tells better from worse far away.
     """
-    squares = sum((e / tolerance) ** 2 for e, tolerance in zip(error, TOLERANCE))
-    return 1.0 / (1.0 + squares + sum((d / EFFORT_TOLERANCE) ** 2 for d in du))
+    e1, e2, e3, e4, e5, e6 = error
+    t1, t2, t3, t4, t5, t6 = TOLERANCE
+    squares = (e1 / t1) ** 2 + (e2 / t2) ** 2 + (e3 / t3) ** 2 + (e4 / t4) ** 2 + (e5 / t5) ** 2 + (e6 / t6) ** 2
+    return 1.0 / (1.0 + squares + (du[0] / EFFORT_TOLERANCE) ** 2 + (du[1] / EFFORT_TOLERANCE) ** 2)
 
 
 def cost(pitch: Any, u: Any, limits: Limits) -> Any:
     """How far pitch in rad and voltages u (2, ...) in V are outside the limits (9), in widths of the limits."""
-    return _excess(pitch, limits.pitch) + sum(_excess(voltage, limits.u) for voltage in u)
+    low, high = limits.u_min, limits.u_max
+    return excess(pitch, limits.pitch_min, limits.pitch_max) + excess(u[0], low, high) + excess(u[1], low, high)
 
 
-def _excess(value: Any, bounds: tuple[float, float]) -> Any:
-    low, high = bounds
+def excess(value: Any, low: Any, high: Any) -> Any:
+    """How far a value is outside of [low, high], in widths of that."""
     outside = abs(value - 0.5 * (low + high)) - 0.5 * (high - low)
     return 0.5 * (outside + abs(outside)) / (high - low)
 

@@ -47,8 +47,8 @@ def test_no_thrust_takes_no_voltage():
 
 def test_the_thrust_map_belongs_to_its_parameters():
     stronger = NOMINAL._replace(k_plus=2.0 * NOMINAL.k_plus)
-    assert_allclose(thrust([-3.0, 3.0], stronger), [thrust(-3.0), 2.0 * thrust(3.0)])
-    assert_allclose(voltage(thrust([-3.0, 3.0], stronger), stronger), [-3.0, 3.0])
+    assert_allclose(thrust(np.array([-3.0, 3.0]), stronger), [thrust(-3.0), 2.0 * thrust(3.0)])
+    assert_allclose(voltage(thrust(np.array([-3.0, 3.0]), stronger), stronger), [-3.0, 3.0])
 
 
 @given(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0))
@@ -157,7 +157,7 @@ def test_the_travel_angle_does_not_matter(x, v):
 
 def step(x, v, dt):
     """One Runge-Kutta step through (3) under a constant v."""
-    return rk4_step(lambda z: dynamics(z, v, NOMINAL), x, dt)
+    return np.array(rk4_step(lambda z, held: dynamics(z, held, NOMINAL), x, (v, v, v), dt))
 
 
 def exact(x, v, duration):

@@ -1,0 +1,530 @@
+"""The helicopter as a picture: the rig in perspective, its reference as a ghost, and gauges.
+
+`Renderer` draws a `Scene` of plain values, so that it shows any flight, with an environment or without one. The
+geometry above it is pure. World coordinates have the pivot of the arm at the origin and z up, in m.
+"""
+
+import math
+from collections.abc import Sequence
+from functools import cache
+from typing import Any, NamedTuple
+
+import gymnasium as gym
+import numpy as np
+from numpy.typing import ArrayLike
+
+from heli_gym.model import thrust
+from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, Limits
+from heli_gym.rigid_body import RigidBodyParameters, solve_rigid_body
+
+RIG = solve_rigid_body("A")
+FLOOR = -0.7  # m, below the pivot, as in `rigid_body.mjcf`
+ROTOR = 0.115  # m, radius
+ROTOR_HEIGHT = 0.035  # m, above the bar that carries the motors
+ARROW = 0.36  # m per N of thrust
+
+Colour = tuple[int, int, int]
+SKY, PLATE, GRID, MARK, BASE = (246, 248, 250), (233, 237, 242), (221, 226, 233), (186, 195, 205), (196, 204, 213)
+PAPER, INK, NOTE, TRACK = (255, 255, 255), (34, 45, 56), (104, 116, 128), (226, 231, 236)
+STEEL, DARK, BRASS = (158, 168, 179), (78, 89, 101), (201, 164, 92)
+# The palette of Okabe and Ito, which colour-blind readers can tell apart.
+FRONT, BACK, GHOST, LIMIT = (0, 114, 178), (230, 159, 0), (0, 158, 115), (213, 94, 0)
+WINDOW = (201, 229, 219)  # of what the plan may use
+WAY = (86, 180, 233)
+SHADOW, GHOSTLY, WAY_FLOWN = (40, 55, 70, 38), (*GHOST, 120), (*WAY, 110)  # with their opacity, of 255
+
+
+class Scene(NamedTuple):
+    """All that a picture shows of one instant, in rad, rad/s, V and s."""
+
+    state: Sequence[float]  # (6,), the order of (44)
+    voltage: Sequence[float]  # (2,), front and back
+    reference: Sequence[float]  # (6,), where the ghost is
+    nominal_voltage: Sequence[float]  # (2,)
+    time: float
+    duration: float
+    travel_start: float = 0.0  # where the maneuver began
+    limits: Limits = Limits()  # of the plan
+    voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
+    pitch_limit: float = PITCH_STOP  # where the flight ends
+    title: str = ""
+    note: str = ""  # below the title, as a warning
+
+
+# Geometry
+
+
+class Camera(NamedTuple):
+    """A pinhole camera: where it is and what it looks at in m, focal length and image centre in pixels."""
+
+    eye: tuple[float, float, float]
+    target: tuple[float, float, float]
+    focal: float
+    centre: tuple[float, float]
+
+
+def project(points: ArrayLike, camera: Camera) -> tuple[np.ndarray, np.ndarray]:
+    """Pixels (2, ...) and depths (...) in m of points (3, ...) in m; x to the right, y down, the horizon level."""
+    points = np.asarray(points, dtype=float)
+    eye = np.asarray(camera.eye, dtype=float)
+    ahead = camera.target - eye
+    ahead /= np.linalg.norm(ahead)
+    right = np.cross(ahead, (0.0, 0.0, 1.0))
+    right /= np.linalg.norm(right)
+    axes = np.stack((right, np.cross(ahead, right), ahead))
+    x, y, depth = np.tensordot(axes, points - eye.reshape(3, *[1] * (points.ndim - 1)), axes=1)
+    return np.stack((camera.centre[0] + camera.focal * x / depth, camera.centre[1] + camera.focal * y / depth)), depth
+
+
+class Pose(NamedTuple):
+    """Rotations (3, 3) of the parts of the rig into the world, and the pitch hinge (3,) in m."""
+
+    yoke: np.ndarray  # turns with the travel only
+    arm: np.ndarray
+    body: np.ndarray
+    hinge: np.ndarray
+
+
+def pose(state: Sequence[float], rig: RigidBodyParameters = RIG) -> Pose:
+    """Forward kinematics of a state (6,): travel about z, then elevation about y, then pitch about x."""
+    (c1, c2, c3), (s1, s2, s3) = np.cos(state[0::2]), np.sin(state[0::2])
+    yoke = np.array([[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]])
+    arm = yoke @ np.array([[c2, 0.0, s2], [0.0, 1.0, 0.0], [-s2, 0.0, c2]])
+    body = arm @ np.array([[1.0, 0.0, 0.0], [0.0, c3, -s3], [0.0, s3, c3]])
+    return Pose(yoke, arm, body, arm @ (rig.l_h, 0.0, rig.e_h))
+
+
+def rotors(at: Pose, rig: RigidBodyParameters = RIG) -> np.ndarray:
+    """Where the thrusts of the (front, back) rotors act: (3, 2) in m."""
+    return at.hinge[:, None] + np.outer(at.body[:, 1], (rig.l_p, -rig.l_p))
+
+
+class Mesh(NamedTuple):
+    """Quadrilaterals: vertices (3, V) in m, corners (F, 4), counter-clockwise from outside, and colours (F, 3)."""
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    colours: np.ndarray
+
+
+def join(*meshes: Mesh) -> Mesh:
+    """Several meshes as one."""
+    offsets = np.cumsum([0, *(mesh.vertices.shape[1] for mesh in meshes)])
+    return Mesh(
+        np.concatenate([mesh.vertices for mesh in meshes], axis=1),
+        np.concatenate([mesh.faces + offset for mesh, offset in zip(meshes, offsets)]),
+        np.concatenate([mesh.colours for mesh in meshes]),
+    )
+
+
+def moved(mesh: Mesh, rotation: np.ndarray, to: ArrayLike = (0.0, 0.0, 0.0)) -> Mesh:
+    """The mesh rotated about the origin and then shifted."""
+    return mesh._replace(vertices=rotation @ mesh.vertices + np.reshape(to, (3, 1)))
+
+
+def normals(mesh: Mesh) -> np.ndarray:
+    """Unit normals (3, F)."""
+    a, b, c, d = np.moveaxis(mesh.vertices[:, mesh.faces], 2, 0)
+    normal = np.cross(c - a, d - b, axis=0)
+    return normal / np.linalg.norm(normal, axis=0)
+
+
+def convex(vertices: np.ndarray, faces: np.ndarray, colour: Colour) -> Mesh:
+    """A convex solid: its faces turned outwards, all in one colour."""
+    mesh = Mesh(vertices, faces, np.tile(colour, (len(faces), 1)))
+    outwards = vertices[:, faces].mean(axis=2) - vertices.mean(axis=1, keepdims=True)
+    inside_out = (normals(mesh) * outwards).sum(axis=0) < 0.0
+    return mesh._replace(faces=np.where(inside_out[:, None], faces[:, ::-1], faces))
+
+
+def box(low: Sequence[float], high: Sequence[float], colour: Colour) -> Mesh:
+    """A box between two corners."""
+    corners = np.array([[(low, high)[k >> axis & 1][axis] for k in range(8)] for axis in range(3)])
+    faces = np.array([[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]])
+    return convex(corners, faces, colour)
+
+
+def tube(start: ArrayLike, end: ArrayLike, radius: float, colour: Colour, sides: int = 10, pieces: int = 1) -> Mesh:
+    """A cylinder, in pieces along its axis so that each is in front of or behind what it crosses."""
+    start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+    axis = (end - start) / np.linalg.norm(end - start)
+    aside = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
+    aside /= np.linalg.norm(aside)
+    angle = 2.0 * np.pi * np.arange(sides) / sides
+    rim = radius * (np.outer(aside, np.cos(angle)) + np.outer(np.cross(axis, aside), np.sin(angle)))
+    k = np.arange(sides)
+    walls = np.stack((k, (k + 1) % sides, (k + 1) % sides + sides, k + sides), axis=1)
+    fan = np.array([[0, i, i + 1, i + 2] for i in range(1, sides - 2, 2)])
+    rings = []
+    for n in range(pieces):
+        ends = [start + (end - start) * (n + side) / pieces for side in (0, 1)]
+        faces = np.concatenate((walls, *([fan] if n == 0 else []), *([fan + sides] if n == pieces - 1 else [])))
+        rings.append(convex(np.concatenate([at[:, None] + rim for at in ends], axis=1), faces, colour))
+    return join(*rings)
+
+
+def hoop(centre: Sequence[float], radius: float, height: float, colour: Colour, sides: int = 28) -> Mesh:
+    """An upright band around a centre, to be seen from inside and from outside."""
+    x, y, z = centre
+    band = tube((x, y, z - 0.5 * height), (x, y, z + 0.5 * height), radius, colour, sides)
+    walls = band._replace(faces=band.faces[:sides], colours=band.colours[:sides])
+    return join(walls, walls._replace(faces=walls.faces[:, ::-1]))
+
+
+@cache
+def parts() -> dict[str, Mesh]:
+    """The rig, each part in its own frame; the body's origin is the pitch hinge."""
+    l_h, l_p, l_c, d_c, e_h = RIG.l_h, RIG.l_p, RIG.l_c, RIG.d_c, RIG.e_h
+    body = [box((-0.035, -0.04, -0.025), (0.035, 0.04, 0.014), DARK)]
+    for y, colour in ((l_p, FRONT), (-l_p, BACK)):
+        inner = math.copysign(0.04, y)
+        body += [
+            box((-0.02, min(inner, y), -0.008), (0.02, max(inner, y), 0.008), STEEL),
+            tube((0, y, -0.02), (0, y, 0.03), 0.02, DARK),
+            hoop((0, y, ROTOR_HEIGHT), ROTOR, 0.018, colour),
+        ]
+    return {
+        "post": tube((0, 0, FLOOR), (0, 0, -0.06), 0.022, STEEL, 12),
+        "yoke": join(
+            tube((0, 0, -0.075), (0, 0, -0.035), 0.034, DARK, 14),
+            box((-0.024, -0.03, -0.035), (0.024, -0.018, 0.022), DARK),
+            box((-0.024, 0.018, -0.035), (0.024, 0.03, 0.022), DARK),
+        ),
+        "arm": join(
+            tube((-l_c - 0.05, 0, 0), (l_h - 0.02, 0, 0), 0.0125, STEEL, 10, 14),
+            box((l_h - 0.045, -0.014, -0.014), (l_h - 0.03, 0.014, e_h + 0.014), DARK),
+            box((-l_c - 0.008, -0.008, -d_c), (-l_c + 0.008, 0.008, 0.012), DARK),
+            tube((-l_c - 0.05, 0, -d_c), (-l_c + 0.05, 0, -d_c), 0.058, BRASS, 18),
+        ),
+        "body": join(*body),
+    }
+
+
+def helicopter(at: Pose) -> Mesh:
+    """What moves, in the world."""
+    mesh = parts()
+    return join(moved(mesh["yoke"], at.yoke), moved(mesh["arm"], at.arm), moved(mesh["body"], at.body, at.hinge))
+
+
+def circle(radius: float, points: int = 64, start: float = 0.0, end: float = 2.0 * math.pi) -> np.ndarray:
+    """Points (2, N) of an arc about the origin."""
+    angle = np.linspace(start, end, points)
+    return radius * np.stack((np.cos(angle), np.sin(angle)))
+
+
+def disc(at: Pose, hub: np.ndarray, radius: float) -> np.ndarray:
+    """The rim (3, N) of a rotor about its hub (3,)."""
+    return hub[:, None] + at.body[:, :2] @ circle(radius, 37)
+
+
+def stripe(start: ArrayLike, end: ArrayLike, width: float) -> np.ndarray:
+    """Corners (2, 4) of a line in the plane."""
+    start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+    along = end - start
+    side = 0.5 * width * np.array((-along[1], along[0])) / max(float(np.hypot(*along)), 1e-9)
+    return np.stack((start + side, end + side, end - side, start - side), axis=1)
+
+
+def sector(inner: float, outer: float, start: float, end: float, points: int = 40) -> np.ndarray:
+    """Corners (2, N) of an arc with a width, about the origin."""
+    return np.concatenate((circle(outer, points, start, end), circle(inner, points, end, start)), axis=1)
+
+
+def shadows(at: Pose) -> list[np.ndarray]:
+    """Corners (2, N) in m of what the rig covers of the floor, seen from straight above."""
+    hubs = rotors(at)
+    counterweight = at.arm @ (-RIG.l_c, 0.0, -RIG.d_c)
+    along = at.arm[:2, 0] * 0.05
+    tail = at.arm[:2, 0] * (-RIG.l_c - 0.05)
+    return [
+        stripe(tail, at.hinge[:2], 0.025),
+        stripe(counterweight[:2] - along, counterweight[:2] + along, 0.116),
+        stripe(hubs[:2, 0], hubs[:2, 1], 0.04),
+        *(disc(at, hub, ROTOR)[:2] for hub in hubs.T),
+    ]
+
+
+def arrow(foot: np.ndarray, way: np.ndarray, eye: ArrayLike) -> np.ndarray:
+    """Corners (3, 7) of a flat arrow from a point (3,) along a vector (3,) in m, turned towards the eye."""
+    length = float(np.linalg.norm(way))
+    side = np.cross(way, foot - np.asarray(eye))
+    side /= np.linalg.norm(side)
+    neck = way * max(1.0 - 0.05 / length, 0.4)
+    corners = (0.007, 0.0 * way), (0.007, neck), (0.024, neck), (0.0, way)
+    right = [foot + along + width * side for width, along in corners]
+    left = [foot + along - width * side for width, along in corners[2::-1]]
+    return np.stack(right + left, axis=1)
+
+
+# Pictures
+
+WIDTH, HEIGHT, VIEW = 640.0, 480.0, 362.0  # units of the layout, and where the gauges begin
+OVERSAMPLING = 2  # pixels of the canvas per pixel of the picture, along each side
+EYE, TARGET, FOCAL = (1.15, -2.45, 1.25), (0.0, 0.0, -0.28), 664.0  # m, m, layout units
+TO_LIGHT = np.array((0.35, -0.45, 0.82)) / math.hypot(0.35, 0.45, 0.82)
+FLOOR_RADIUS = 0.95  # m
+TRAVEL_DIAL, ELEVATION_DIAL, PITCH_DIAL = (np.array(((x,), (421.0,))) for x in (62.0, 160.0, 270.0))
+DIAL = 34.0  # radius
+ELEVATION_RANGE = math.radians(40.0)
+BAR_LEFT, BAR_LENGTH, BAR_HEIGHT, BARS = 384.0, 186.0, 14.0, (393.0, 421.0)
+MOST_FRAMES = 60.0  # per second of the flight, in a window
+
+
+def load_pygame() -> Any:
+    """The module pygame. Raises gymnasium.error.DependencyNotInstalled without it."""
+    try:
+        import pygame
+        import pygame.gfxdraw
+    except ImportError as error:
+        raise gym.error.DependencyNotInstalled(
+            'pygame is not installed: `pip install "heli-gym[render]"` brings it'
+        ) from error
+    return pygame
+
+
+class Renderer:
+    """Draws scenes as pictures or in a window; pygame is loaded only here.
+
+    Args:
+        width: of the picture in pixels, a multiple of 8; the height is three quarters of it.
+
+    Raises:
+        ValueError: if the width is another.
+        gymnasium.error.DependencyNotInstalled: without pygame.
+    """
+
+    def __init__(self, width: int = 960) -> None:
+        if not isinstance(width, int) or width % 8 or not 160 <= width <= 3840:
+            raise ValueError(f"width = {width!r}: a multiple of 8 from 160 to 3840 is needed")
+        self.pygame = pygame = load_pygame()
+        self.size = (width, width * 3 // 4)
+        self.scale = OVERSAMPLING * width / WIDTH  # pixels of the canvas per unit of the layout
+        large = [OVERSAMPLING * side for side in self.size]
+        self.canvas = pygame.Surface(large, depth=32)
+        self.overlay = pygame.Surface(large, pygame.SRCALPHA, depth=32)
+        self.touched = self.overlay.get_rect()  # what must be cleared of the overlay
+        self.camera = Camera(EYE, TARGET, FOCAL * self.scale, (0.5 * WIDTH * self.scale, 0.455 * VIEW * self.scale))
+        self.still: tuple | None = None  # what the background shows
+        self.background: Any = None
+        self.fonts: dict[float, Any] = {}
+        self.window: Any = None
+        self.clock: Any = None
+        self.shown = math.inf
+
+    def frame(self, scene: Scene) -> np.ndarray:
+        """The picture (H, W, 3), uint8: the same for the same scene."""
+        width, height = self.size
+        pixels = self.pygame.image.tobytes(self._picture(scene), "RGB")
+        return np.frombuffer(pixels, dtype=np.uint8).reshape(height, width, 3).copy()
+
+    def show(self, scene: Scene) -> None:
+        """Draw in a window, which opens at the first call, and wait until the scene's time has passed.
+
+        Scenes that follow faster than the eye are left out.
+        """
+        pygame = self.pygame
+        if self.window is None:
+            pygame.display.init()
+            pygame.display.set_caption("heli_gym")
+            self.window = pygame.display.set_mode(self.size)
+            self.clock = pygame.time.Clock()
+        passed = scene.time - self.shown
+        if 0.0 < passed < (1.0 - 1e-9) / MOST_FRAMES:
+            return
+        self.window.blit(self._picture(scene), (0, 0))
+        pygame.event.pump()
+        pygame.display.flip()
+        if passed > 0.0:  # otherwise another flight begins
+            self.clock.tick(1.0 / passed)
+        self.shown = scene.time
+
+    def close(self) -> None:
+        """Close the window, if there is one."""
+        if self.window is not None:
+            self.window = None
+            self.pygame.display.quit()
+
+    def _picture(self, scene: Scene) -> Any:
+        still = scene.limits, scene.voltage_limits, scene.pitch_limit
+        if self.still != still:
+            self.background, self.still = self._background(scene), still
+        self.canvas.blit(self.background, (0, 0))
+        self.canvas.set_clip((0, 0, self.canvas.get_width(), round(VIEW * self.scale)))
+        self._behind(scene)
+        self._rig(scene)
+        self.canvas.set_clip(None)
+        self._needles(scene)
+        self._bars(scene)
+        self._words(scene)
+        return self.pygame.transform.smoothscale(self.canvas, self.size)
+
+    def _background(self, scene: Scene) -> Any:
+        """The floor, and the faces of the gauges."""
+        canvas = self.canvas.copy()
+        canvas.fill(SKY)
+        self._floor(canvas, circle(FLOOR_RADIUS, 120), PLATE)
+        for offset in 0.25 * np.arange(-3, 4):
+            reach = math.sqrt(FLOOR_RADIUS**2 - offset**2)
+            self._floor(canvas, stripe((-reach, offset), (reach, offset), 0.006), GRID)
+            self._floor(canvas, stripe((offset, -reach), (offset, reach), 0.006), GRID)
+        for degrees in range(0, 360, 10):
+            along, length = circle(1.0, 1, math.radians(degrees))[:, 0], 0.025 if degrees % 30 else 0.05
+            self._floor(canvas, stripe(along * (FLOOR_RADIUS - length), along * FLOOR_RADIUS, 0.008), MARK)
+        self._floor(canvas, circle(0.17), STEEL)
+        self._floor(canvas, circle(0.16), BASE)
+
+        self._shape(canvas, rectangle(0.0, WIDTH, VIEW, HEIGHT), PAPER)
+        self._shape(canvas, rectangle(0.0, WIDTH, VIEW, VIEW + 3.0), TRACK)
+        self._shape(canvas, TRAVEL_DIAL + sector(DIAL - 4.0, DIAL, 0.0, 2.0 * math.pi, 90), TRACK)
+        self._shape(canvas, ELEVATION_DIAL + sector(DIAL - 4.0, DIAL, -ELEVATION_RANGE, ELEVATION_RANGE), TRACK)
+        for side in (0.0, math.pi):
+            stop, crash = side + scene.pitch_limit, side + math.pi - scene.pitch_limit
+            planned = side + scene.limits.pitch_min, side + scene.limits.pitch_max
+            self._shape(canvas, PITCH_DIAL + sector(DIAL - 4.0, DIAL, side - scene.pitch_limit, stop), TRACK)
+            self._shape(canvas, PITCH_DIAL + sector(DIAL - 4.0, DIAL, *planned), WINDOW)
+            self._shape(canvas, PITCH_DIAL + sector(DIAL - 4.0, DIAL, stop, max(crash, stop + 0.05)), LIMIT)
+        for top in BARS:
+            self._bar(canvas, top, BAR_HEIGHT, scene.voltage_limits, scene, TRACK)
+            self._bar(canvas, top, BAR_HEIGHT, scene.limits.u, scene, WINDOW)
+        return canvas
+
+    def _behind(self, scene: Scene) -> None:
+        """The way flown, the shadow and the ghost, translucent, and behind the rig so that it stays clear."""
+        self.overlay.fill((0, 0, 0, 0), self.touched)
+        areas = [self._floor(self.overlay, sector(RIG.l_h - 0.02, RIG.l_h + 0.02, *flown(scene), 90), WAY_FLOWN)]
+        areas += [self._floor(self.overlay, shadow, SHADOW) for shadow in shadows(pose(scene.state))]
+        areas += self._solids(self.overlay, helicopter(pose(scene.reference)), [], GHOSTLY)
+        self.touched = areas[0].unionall(areas[1:])
+        self.canvas.blit(self.overlay, self.touched, self.touched)
+
+    def _rig(self, scene: Scene) -> None:
+        """The rig, the blur of its rotors as strong as their voltages, and their thrusts as arrows."""
+        at = pose(scene.state)
+        flats: list[tuple[np.ndarray, tuple]] = []
+        for rotor, u, colour in zip(rotors(at).T, scene.voltage, (FRONT, BACK)):
+            up = at.body[:, 2]
+            hub = rotor + ROTOR_HEIGHT * up
+            opacity = 30 + round(120 * share(u, scene.voltage_limits))
+            flats.append((disc(at, hub, ROTOR - 0.004), (*colour, opacity)))
+            length = ARROW * float(thrust(u))
+            if abs(length) > 0.01:
+                flats.append((arrow(hub, length * up, EYE), colour))
+        self._solids(self.canvas, join(parts()["post"], helicopter(at)), flats)
+
+    def _solids(
+        self, surface: Any, mesh: Mesh, flats: list[tuple[np.ndarray, tuple]], tint: tuple | None = None
+    ) -> list[Any]:
+        """Paint the faces that are seen, and flat shapes (3, N), from the farthest to the nearest; all in a tint."""
+        normal, centres = normals(mesh), mesh.vertices[:, mesh.faces].mean(axis=2)
+        to_eye = np.reshape(EYE, (3, 1)) - centres
+        seen = (normal * to_eye).sum(axis=0) > 0.0
+        light = 0.66 + 0.34 * np.clip(TO_LIGHT @ normal[:, seen], 0.0, 1.0)
+        colours = mesh.colours[seen] if tint is None else np.array(tint[:3])
+        shades = (colours * light[:, None]).astype(int).tolist()
+        outlines = np.moveaxis(project(mesh.vertices, self.camera)[0][:, mesh.faces[seen]], 0, -1).tolist()
+        items = list(zip(np.linalg.norm(to_eye[:, seen], axis=0).tolist(), outlines, shades))
+        for points, colour in flats:
+            away = float(np.linalg.norm(points.mean(axis=1) - EYE))
+            items.append((away, project(points, self.camera)[0].T.tolist(), list(colour)))
+        opacity = [] if tint is None else [tint[3]]
+        painted = []
+        for _, outline, colour in sorted(items, reverse=True):
+            if len(colour) == 4:  # pygame.draw would replace what is behind instead of blending
+                self.pygame.gfxdraw.filled_polygon(surface, outline, colour)
+            else:
+                painted.append(self.pygame.draw.polygon(surface, colour + opacity, outline))
+        return painted
+
+    def _needles(self, scene: Scene) -> None:
+        """Travel from above, elevation from the side and pitch from the pivot outwards: scene and reference."""
+        ring = sector(DIAL - 4.0, DIAL, *flown(scene), 90)
+        self._shape(self.canvas, TRAVEL_DIAL + ring * [[1.0], [-1.0]], WAY)
+        inner = DIAL - 7.0
+        for values, colour in ((scene.reference, GHOST), (scene.state, INK)):
+            tilt = min(max(values[2], -ELEVATION_RANGE), ELEVATION_RANGE)
+            for dial, tail, angle in (
+                (TRAVEL_DIAL, 0.0, -values[0]),
+                (ELEVATION_DIAL, -0.7 * inner, tilt),
+                (PITCH_DIAL, -inner, values[4]),
+            ):
+                along = circle(1.0, 1, angle)[:, 0]
+                self._shape(self.canvas, dial + stripe(tail * along, inner * along, 3.0), colour)
+        for side, colour in ((-1.0, FRONT), (1.0, BACK)):
+            tip = PITCH_DIAL + side * circle(inner - 1.0, 1, scene.state[4])
+            self._shape(self.canvas, tip + circle(5.0, 24), colour)
+        for dial in (TRAVEL_DIAL, ELEVATION_DIAL):
+            self._shape(self.canvas, dial + circle(3.5, 24), INK)
+
+    def _bars(self, scene: Scene) -> None:
+        """The voltages, red outside the plan's window, with marks at the nominal ones; and the time."""
+        low = scene.voltage_limits[0]
+        for top, u, nominal, colour in zip(BARS, scene.voltage, scene.nominal_voltage, (FRONT, BACK)):
+            planned = scene.limits.u_min <= u <= scene.limits.u_max
+            self._bar(self.canvas, top + 3.0, BAR_HEIGHT - 6.0, (low, u), scene, colour if planned else LIMIT)
+            x = BAR_LEFT + BAR_LENGTH * share(nominal, scene.voltage_limits)
+            self._shape(self.canvas, rectangle(x - 1.5, x + 1.5, top - 3.0, top + BAR_HEIGHT + 3.0), GHOST)
+        done = WIDTH * share(scene.time, (0.0, scene.duration))
+        self._shape(self.canvas, rectangle(0.0, done, VIEW, VIEW + 3.0), INK)
+
+    def _words(self, scene: Scene) -> None:
+        angles = (scene.state[0], scene.state[2], scene.state[4])
+        for dial, name, angle in zip(
+            (TRAVEL_DIAL, ELEVATION_DIAL, PITCH_DIAL), ("travel", "elevation", "pitch"), angles
+        ):
+            x = float(dial[0, 0])
+            self._write(name, (x, VIEW + 7.0), 14, NOTE)
+            self._write(f"{round(math.degrees(angle))}°", (x, HEIGHT - 21.0), 17, INK)
+        for top, name, u in zip(BARS, ("front", "back"), scene.voltage):
+            self._write(name, (BAR_LEFT - 8.0, top - 1.0), 14, NOTE, 1.0)
+            self._write(f"{u:.1f} V", (WIDTH - 14.0, top - 3.0), 17, INK, 1.0)
+        for limits, y in ((scene.limits.u, BARS[0] - 19.0), (scene.voltage_limits, BARS[1] + BAR_HEIGHT + 6.0)):
+            for u in limits:
+                self._write(f"{u:g}", (BAR_LEFT + BAR_LENGTH * share(u, scene.voltage_limits), y), 13, NOTE)
+        self._write(scene.title, (14.0, 11.0), 20, INK, 0.0)
+        self._write(scene.note, (14.0, 36.0), 16, LIMIT, 0.0)
+        self._write(f"{scene.time:.1f} s", (WIDTH - 14.0, 11.0), 20, INK, 1.0)
+        self._write(f"of {scene.duration:g} s", (WIDTH - 14.0, 36.0), 14, NOTE, 1.0)
+        self._write("reference", (WIDTH - 14.0, HEIGHT - 21.0), 14, GHOST, 1.0)
+
+    def _write(self, text: str, at: tuple[float, float], size: float, colour: Colour, anchor: float = 0.5) -> None:
+        """Text below a point in layout units, which divides its width as the anchor says."""
+        font = self.pygame.font
+        if not font.get_init():  # at first, and after somebody's pygame.quit
+            font.init()
+            self.fonts.clear()
+        if size not in self.fonts:
+            # The font that comes with pygame, so that pictures do not depend on the machine.
+            self.fonts[size] = font.Font(None, round(1.25 * size * self.scale))
+        words = self.fonts[size].render(text, True, colour)
+        self.canvas.blit(words, (round(at[0] * self.scale - anchor * words.get_width()), round(at[1] * self.scale)))
+
+    def _bar(
+        self, canvas: Any, top: float, height: float, window: tuple[float, float], scene: Scene, colour: Colour
+    ) -> None:
+        left, right = (BAR_LEFT + BAR_LENGTH * share(u, scene.voltage_limits) for u in window)
+        self._shape(canvas, rectangle(left, right, top, top + height), colour)
+
+    def _shape(self, surface: Any, points: np.ndarray, colour: tuple) -> Any:
+        """Fill a polygon (2, N) in layout units; the area that was touched."""
+        return self.pygame.draw.polygon(surface, colour, (self.scale * points).T.tolist())
+
+    def _floor(self, surface: Any, points: np.ndarray, colour: tuple) -> Any:
+        """Fill a polygon (2, N) on the floor, in m; the area that was touched."""
+        raised = np.concatenate((points, np.full((1, points.shape[1]), FLOOR)))
+        return self.pygame.draw.polygon(surface, colour, project(raised, self.camera)[0].T.tolist())
+
+
+def flown(scene: Scene) -> tuple[float, float]:
+    """From where to where the travel has gone in rad, one turn at most."""
+    start, now = scene.travel_start, scene.state[0]
+    return start, start + min(max(now - start, -2.0 * math.pi), 2.0 * math.pi)
+
+
+def rectangle(left: float, right: float, top: float, bottom: float) -> np.ndarray:
+    """Corners (2, 4)."""
+    return np.array(((left, right, right, left), (top, top, bottom, bottom)))
+
+
+def share(value: float, bounds: tuple[float, float]) -> float:
+    """Where a value is between two bounds: 0 at the one, 1 at the other, and no farther."""
+    return min(max((value - bounds[0]) / (bounds[1] - bounds[0]), 0.0), 1.0)

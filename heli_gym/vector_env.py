@@ -1,0 +1,308 @@
+"""Heli3DOF-v0, many helicopters at once: what `gymnasium.make_vec` makes."""
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+from gymnasium.spaces import Box
+from gymnasium.utils.seeding import np_random
+from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium.vector.utils import batch_space
+from numpy.typing import ArrayLike
+
+from heli_gym import task
+from heli_gym.env import Heli3DOFEnv, find_reference, scene_of
+from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
+from heli_gym.plant import Plant, find_plant
+from heli_gym.rendering import Renderer
+from heli_gym.simulation import OBSERVED, REPORT, START_UNIFORMS, Simulation
+from heli_gym.trajectory import Trajectory
+
+
+class Heli3DOFVectorEnv(VectorEnv):
+    """Many helicopters in one array; each flies what a `Heli3DOFEnv` with the same seed flies.
+
+    Spaces, rewards, ends of episodes and arguments are those of `Heli3DOFEnv`, whose docstring describes them. Besides:
+
+    Args:
+        num_envs: how many helicopters.
+        plant: one for all, or a sequence of one each; either all have a rig, or none.
+        reference: one for all, or a sequence of one each.
+        autoreset_mode: "NextStep", "SameStep" or "Disabled", or gymnasium's `AutoresetMode`.
+        dtype: of the simulation, "float64" or "float32"; the latter is faster for many helicopters, and accurate to
+            about 1e-5 over a flight.
+
+    `info["plant"]`, an object array, is there after a `reset` only; `plant_of` tells at any time. `options["plant"]` of a
+    `reset` flies another plant, in all helicopters and until the next `reset`. All arrays that are handed out are new.
+    """
+
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "autoreset_mode": AutoresetMode.NEXT_STEP}  # noqa: RUF012
+
+    def __init__(
+        self,
+        num_envs: int = 1,
+        plant: str | Plant | Sequence[str | Plant] = "nominal",
+        reference: str | Trajectory | Sequence[str | Trajectory] = "travel-360",
+        control_period: float = 0.02,
+        pitch_limit: float = PITCH_STOP,
+        voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS,
+        start_spread_deg: float = 0.0,
+        random_start: bool = False,
+        render_mode: str | None = None,
+        autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
+        dtype: str = "float64",
+        **unknown: Any,
+    ) -> None:
+        if isinstance(num_envs, bool) or not isinstance(num_envs, int) or num_envs < 1:
+            raise ValueError(f"num_envs = {num_envs!r}: a positive whole number is needed")
+        if dtype not in ("float64", "float32"):
+            raise ValueError(f"dtype = {dtype!r}: 'float64' or 'float32' is needed")
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            raise ValueError(f"render_mode = {render_mode!r}: None or 'rgb_array' is needed")
+        self.num_envs, self.render_mode, self.dtype = num_envs, render_mode, np.dtype(dtype).type
+        self.autoreset_mode = AutoresetMode(autoreset_mode)
+        plants = one_each("plant", plant, num_envs, find_plant)
+        references = one_each("reference", reference, num_envs, find_reference)
+
+        # One environment for each combination checks the arguments and knows the bounds.
+        combinations = {(id(p), id(r)): (p, r) for p, r in zip(plants, references)}
+        singles = [
+            Heli3DOFEnv(
+                *combination, control_period, pitch_limit, voltage_limits, start_spread_deg, random_start, **unknown
+            )
+            for combination in combinations.values()
+        ]
+        single = singles[0]
+        self.control_period, self.pitch_limit = single.control_period, single.pitch_limit
+        self.voltage_limits = single.voltage_limits
+        self.start_spread_deg, self.random_start = single.start_spread_deg, single.random_start
+        self.metadata = {**single.metadata, **self.metadata, "autoreset_mode": self.autoreset_mode}
+        bound = np.max([env.observation_space.high for env in singles], axis=0)
+        self.single_observation_space = Box(-bound, bound, dtype=np.float32)
+        self.single_action_space = single.action_space
+        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self.action_space = batch_space(self.single_action_space, num_envs)
+
+        self.plants, self.references = plants, references
+        self.own_simulation = self._simulation(plants)
+        self.simulation: Simulation | None = None
+        self.everyone = np.arange(num_envs)
+        self.all = np.ones(num_envs, bool)
+        self.all.setflags(write=False)
+        self.is_waiting = False  # whether any flight is over
+        self.generators = [np_random()[0] for _ in range(num_envs)]
+        self.renderer: Renderer | None = None
+
+    def reset(
+        self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[np.ndarray, dict[str, Any]]:
+        """To the starts of the references.
+
+        Args:
+            seed: of the first helicopter, the others counting on from there, or of each.
+            options: "state" (6,) or (N, 6) and "plant" as for `Heli3DOFEnv.reset`; "time" (N,) in s, when on their
+                references these flights start, and only these; "reset_mask" (N,), bool, tells
+                which helicopters are meant.
+
+        Raises:
+            ValueError: for a bad seed or option.
+        """
+        options = dict(options or {})
+        mask = options.pop("reset_mask", self.all)
+        if not isinstance(mask, np.ndarray) or mask.dtype != bool or mask.shape != (self.num_envs,) or not mask.any():
+            raise ValueError(
+                f"options['reset_mask'] = {mask!r}: a boolean array ({self.num_envs},), one true, is needed"
+            )
+        unknown = set(options) - {"state", "plant", "time"}
+        if unknown:
+            raise ValueError(f"options = {options!r}: only 'state', 'plant', 'time' and 'reset_mask' are known")
+        if (self.simulation is None or "plant" in options) and not mask.all():
+            raise ValueError("options['reset_mask']: at the first reset, and where the plant changes, all are meant")
+        seeds = [seed + i for i in range(self.num_envs)] if isinstance(seed, int) else seed or [None] * self.num_envs
+        if len(seeds) != self.num_envs:
+            raise ValueError(f"seed = {seed!r}: a whole number, or one for each of {self.num_envs}, is needed")
+        helicopters = np.flatnonzero(mask)
+        states = self._states(options.get("state"))
+        times = None if options.get("time") is None else np.asarray(options["time"], float)
+        if times is not None and not (times.shape == (self.num_envs,) and np.isfinite(times).all()):
+            raise ValueError(f"options['time'] = {options['time']!r}: finite times ({self.num_envs},) in s are needed")
+
+        for i in helicopters:
+            if seeds[i] is not None:
+                self.generators[i] = np_random(seeds[i])[0]
+        if mask.all():
+            plant = options.get("plant")
+            self.simulation = (
+                self.own_simulation if plant is None else self._simulation([find_plant(plant)] * self.num_envs)
+            )
+            self.uniforms = np.zeros((self.num_envs, self.simulation.uniforms))
+            self.over = np.zeros(self.num_envs, bool)
+        observation, told = (
+            np.zeros((self.num_envs, OBSERVED), np.float32),
+            np.zeros((REPORT, self.num_envs), self.dtype),
+        )
+        self._begin(helicopters, observation, told, states, times)
+        self.over[helicopters] = False
+        self.is_waiting = bool(self.over.any())
+        info = self._info(told, mask)
+        info["plant"], info["_plant"] = np.full(self.num_envs, None, object), mask.copy()
+        for i in helicopters:
+            info["plant"][i] = self.plant_of(i)
+        return observation, info
+
+    def step(self, actions: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
+        """One control period of all helicopters. Raises ValueError for actions that are not (N, 2) finite numbers."""
+        if self.simulation is None:
+            raise gym.error.ResetNeeded("call reset before step")
+        if not (type(actions) is np.ndarray and actions.dtype.char in "fd"):
+            actions = np.asarray(actions, float)
+        if actions.shape != (self.num_envs, 2):
+            raise ValueError(f"actions of shape {actions.shape}: ({self.num_envs}, 2) is needed")
+        mode, waiting = self.autoreset_mode, self.over
+        if mode is AutoresetMode.DISABLED and waiting.any():
+            raise gym.error.ResetNeeded(f"the episodes {np.flatnonzero(waiting)} are over: reset them before step")
+        count, observation, rewards, terminated, truncated, told = self.simulation.step(actions)
+        if count < 0:
+            bad = np.flatnonzero(~np.isfinite(actions).all(axis=1))
+            raise ValueError(f"actions[{bad[0]}] = {actions[bad[0]]}: two finite numbers are needed")
+
+        fresh = None
+        if mode is AutoresetMode.NEXT_STEP and self.is_waiting:
+            fresh = np.flatnonzero(waiting)
+            self._begin(fresh, observation, told)
+            rewards[fresh], terminated[fresh], truncated[fresh] = 0.0, False, False
+            told[12:15, fresh] = 0.0
+            count = int(terminated.sum() + truncated.sum())
+        self.is_waiting = count > 0
+        self.over = terminated | truncated
+        info = self._info(told, self.all)
+        info["voltage"], info["cost"] = told[12:14].T, told[14]
+        info["_voltage"] = info["_cost"] = self.all
+        if fresh is not None:
+            info["_voltage"] = info["_cost"] = ~waiting
+        if count:
+            self._end(info, observation, told, truncated)
+        return observation, rewards, terminated, truncated, info
+
+    def plant_of(self, i: int) -> Plant:
+        """The plant that was drawn for the flight of the helicopter i."""
+        if self.simulation is None:
+            raise gym.error.ResetNeeded("nothing is drawn yet: call reset first")
+        return self.simulation.plants[i].at(self.uniforms[i, START_UNIFORMS:])
+
+    def render(self) -> tuple[np.ndarray, ...] | None:
+        """A picture (720, 960, 3), uint8, of each helicopter. Raises DependencyNotInstalled without pygame."""
+        if self.render_mode is None:
+            gym.logger.warn("render: without a render mode nothing is drawn; make the environment with one")
+            return None
+        if self.simulation is None:
+            raise gym.error.ResetNeeded("there is nothing to draw yet: call reset before render")
+        if self.renderer is None:
+            self.renderer = Renderer()
+        return tuple(self.renderer.frame(scene_of(self.simulation, j)) for j in range(self.num_envs))
+
+    def close_extras(self, **kwargs: Any) -> None:
+        """Frees what drawing took."""
+        if self.renderer is not None:
+            self.renderer.close()
+            self.renderer = None
+
+    def _simulation(self, plants: Sequence[Plant]) -> Simulation:
+        return Simulation(
+            plants,
+            self.references,
+            self.control_period,
+            self.voltage_limits,
+            self.pitch_limit,
+            math.radians(self.start_spread_deg),
+            self.random_start,
+            self.dtype,
+        )
+
+    def _states(self, value: Any) -> np.ndarray | None:
+        """The states (6, N) that an option asks for, if it does."""
+        if value is None:
+            return None
+        try:
+            states = np.broadcast_to(np.asarray(value, float), (self.num_envs, 6)).T
+        except (TypeError, ValueError) as error:
+            raise ValueError(
+                f"options['state'] = {value!r}: finite numbers (6,) or ({self.num_envs}, 6) are needed"
+            ) from error
+        starts = np.array([reference.x[:, 0] for reference in self.references]).T
+        near = (np.abs(states - starts) <= np.array(task.FARTHEST_START)[:, None]).all()
+        if not near or task.crashed(states[4], self.pitch_limit).any():
+            raise ValueError(
+                f"options['state'] = {value!r}: at most 1 rad and 1 rad/s from the references' starts, and the pitch "
+                f"within {self.pitch_limit:g} rad, is needed"
+            )
+        return states
+
+    def _begin(
+        self,
+        helicopters: np.ndarray,
+        observation: np.ndarray,
+        told: np.ndarray,
+        states: np.ndarray | None = None,
+        times: np.ndarray | None = None,
+    ) -> None:
+        """New flights of these helicopters (n,), and what they observe and tell at first."""
+        simulation = self.simulation
+        if simulation.is_random:
+            for i in helicopters:
+                self.uniforms[i] = simulation.draw(self.generators[i])
+        simulation.begin(
+            helicopters,
+            self.uniforms[helicopters],
+            None if states is None else states[:, helicopters],
+            None if times is None else times[helicopters],
+        )
+        simulation.observe(helicopters, observation, told)
+
+    def _info(self, told: np.ndarray, mask: np.ndarray) -> dict[str, Any]:
+        state, measurement, time = told[0:6].T, told[6:12].T, told[15]
+        return {
+            "state": state,
+            "_state": mask,
+            "measurement": measurement,
+            "_measurement": mask,
+            "time": time,
+            "_time": mask,
+        }
+
+    def _end(self, info: dict[str, Any], observation: np.ndarray, told: np.ndarray, truncated: np.ndarray) -> None:
+        """Tells of flights that are over, and starts the next ones where that is the mode."""
+        over = self.over
+        success = truncated & task.succeeded(self.simulation.errors())
+        if self.autoreset_mode is not AutoresetMode.SAME_STEP:
+            info["is_success"], info["_is_success"] = success, over
+            return
+        ended = np.flatnonzero(over)
+        final = {name: value.copy() for name, value in info.items()}
+        final["is_success"] = success
+        for name in ("state", "measurement", "time", "voltage", "cost", "is_success"):
+            final[name][~over] = 0
+            final[f"_{name}"] = over
+        info["final_info"], info["_final_info"] = final, over
+        info["final_obs"], info["_final_obs"] = np.full(self.num_envs, None, object), over
+        for i in ended:
+            info["final_obs"][i] = observation[i].copy()
+        self._begin(ended, observation, told)
+        told[12:15, ended] = 0.0
+        self.over, self.is_waiting = np.zeros(self.num_envs, bool), False
+        info["_voltage"] = info["_cost"] = ~over
+
+
+def one_each(name: str, value: Any, count: int, find: Callable) -> list:
+    """What `find` finds for each helicopter, given one value for all or a sequence of one each."""
+    values = value if isinstance(value, list | tuple) else [value] * count
+    if len(values) != count:
+        raise ValueError(f"{name}: {len(values)} values, and {count} are needed, or one for all")
+    found: dict[Any, Any] = {}
+    for one in values:
+        key = one if isinstance(one, str) else id(one)
+        if key not in found:
+            found[key] = find(one)
+    return [found[one if isinstance(one, str) else id(one)] for one in values]
