@@ -1,0 +1,160 @@
+"""Fly by keyboard: `python -m heli_gym.play`, and with `--assist` helped by the paper's feedback.
+
+The arrow keys raise and lower the helicopter and turn it left, which is counter-clockwise seen from above, or right.
+Without help they change the two voltages about hover; with it they move a set-point, which the regulator (49)-(51)
+holds. The ghost shows the reference that is to be followed. Escape ends.
+"""
+
+import argparse
+import math
+import sys
+from itertools import combinations
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+from scipy.linalg import solve_continuous_are
+
+from heli_gym.env import Heli3DOFEnv
+from heli_gym.model import fan_thrusts, hover_input, linearise, voltage
+from heli_gym.parameters import HelicopterParameters
+from heli_gym.rendering import load_pygame
+from heli_gym.task import EFFORT_TOLERANCE, TOLERANCE, to_action
+
+LIFT, ROLL = 1.5, 0.6  # V on each fan, for as long as a key is held
+FASTEST = np.array((0.9, 0.15))  # rad/s, travel and elevation of the set-point, while a key is held
+PACE = np.array((0.8, 2.0))  # 1/s, at which its rates follow the keys
+FARTHEST = math.radians(12.0)  # rad, of its elevation, up and down: at 18.6 deg down, nothing is left to thrust
+
+
+class Assist(gym.Wrapper):
+    """The paper's feedback flies to a set-point that the player moves.
+
+    Actions are `Box(-1, 1, (2,), float32)`: how fast the set-point is to turn and to sink, in units of `FASTEST`. Its
+    rates follow with a double lag, so that neither they nor its accelerations jump.
+    """
+
+    def __init__(self, env: gym.Env, parameters: HelicopterParameters = HelicopterParameters()) -> None:
+        super().__init__(env)
+        self.helicopter: Heli3DOFEnv = env.unwrapped  # type: ignore[assignment]
+        self.parameters = parameters
+        self.gain = hold_gain(parameters)
+
+    def reset(self, **options: Any) -> tuple[np.ndarray, dict[str, Any]]:
+        """Also puts the set-point where the helicopter is, at rest."""
+        observation, info = self.env.reset(**options)
+        self.measurement = info["measurement"]
+        self.position, self.rate, self.acceleration = self.measurement[[0, 2]], np.zeros(2), np.zeros(2)
+        return observation, info
+
+    def step(self, action: Any) -> tuple[np.ndarray, Any, bool, bool, dict[str, Any]]:
+        """One control period, on the way to the set-point that the player's command leads to."""
+        period = self.helicopter.control_period
+        asked = FASTEST * np.clip(action, -1.0, 1.0)
+        rest = self.position + (2.0 * PACE * self.rate + self.acceleration) / PACE**2  # where it would come to rest
+        if asked[1] * rest[1] > 0.0 and abs(rest[1]) >= FARTHEST:
+            asked[1] = 0.0
+        jerk = PACE * (PACE * (asked - self.rate) - 2.0 * self.acceleration)
+        self.position = self.position + period * self.rate
+        self.rate = self.rate + period * self.acceleration
+        self.acceleration = self.acceleration + period * jerk
+        x, v = set_point(self.position, self.rate, self.acceleration, self.parameters)
+        u = voltage(fan_thrusts(v - self.gain @ (self.measurement - x)), self.parameters)
+        observation, reward, terminated, truncated, info = self.env.step(to_action(u, self.helicopter.voltage_limits))
+        self.measurement = info["measurement"]
+        return observation, reward, terminated, truncated, info
+
+
+def hold_gain(parameters: HelicopterParameters = HelicopterParameters()) -> np.ndarray:
+    """Gain K (2, 6) of (51) at hover, where (50) has settled.
+
+    The weights follow from what the reward tolerates, by Bryson's rule.
+    """
+    A, B = linearise(np.zeros(6), hover_input(0.0, parameters), parameters)
+    R = np.eye(2) / (parameters.k_plus * EFFORT_TOLERANCE**2) ** 2
+    P = solve_continuous_are(A, B, np.diag(1.0 / np.square(TOLERANCE)), R)
+    return np.linalg.solve(R, B.T @ P)
+
+
+def set_point(
+    position: np.ndarray, rate: np.ndarray, acceleration: np.ndarray, parameters: HelicopterParameters
+) -> tuple[np.ndarray, np.ndarray]:
+    """State (6,) and virtual input (2,) in N at which (3) has these accelerations, and the pitch is at rest.
+
+    Position, rate and acceleration (2,) are those of travel and elevation, in rad and s.
+    """
+    p = parameters
+    elevation = float(position[1])
+    # v1 by its two shares: across the arm, which turns it, and upright, which lifts it
+    across = float(acceleration[0]) / (p.b1 * math.cos(elevation))
+    upright = (float(acceleration[1]) - p.a1 * math.sin(elevation) - p.a2 * math.cos(elevation)) / p.b2
+    pitch = math.atan2(across, upright)
+    v2 = -p.a3 * math.cos(elevation) * math.sin(pitch) / p.b3
+    return np.array((position[0], rate[0], elevation, rate[1], pitch, 0.0)), np.array((math.hypot(across, upright), v2))
+
+
+def keyboard(hover: np.ndarray, up: np.ndarray, left: np.ndarray) -> dict[tuple[int, ...], np.ndarray]:
+    """Actions (2,), float32, of every combination of the arrow keys: opposite ones cancel."""
+    pygame = load_pygame()
+    effects = {pygame.K_UP: up, pygame.K_DOWN: -up, pygame.K_LEFT: left, pygame.K_RIGHT: -left}
+    return {
+        keys: np.clip(hover + sum(effects[key] for key in keys), -1.0, 1.0).astype(np.float32)
+        for count in range(1, len(effects) + 1)
+        for keys in combinations(effects, count)
+    }
+
+
+def mapping(env: gym.Env) -> tuple[dict[tuple[int, ...], np.ndarray], np.ndarray]:
+    """What the arrow keys do in an environment, and what no key does: actions (2,), float32."""
+    if isinstance(env, Assist):
+        rest = np.zeros(2, dtype=np.float32)
+        return keyboard(rest, np.array((0.0, -1.0)), np.array((1.0, 0.0))), rest
+    helicopter: Heli3DOFEnv = env.unwrapped  # type: ignore[assignment]
+    low, high = helicopter.voltage_limits
+    hover = to_action(voltage(fan_thrusts(hover_input(0.0, HelicopterParameters()))), (low, high))
+    unit = 2.0 / (high - low)  # of an action, per V
+    # A fan that is lower in front tilts the thrust so that the travel grows, since b1 < 0 in (3).
+    actions = keyboard(hover, unit * LIFT * np.ones(2), unit * ROLL * np.array((-1.0, 1.0)))
+    return actions, hover.astype(np.float32)
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """The command `python -m heli_gym.play`."""
+    parser = argparse.ArgumentParser(prog="python -m heli_gym.play", description=__doc__.partition("\n\n")[2])
+    parser.add_argument("--assist", action="store_true", help="let the paper's feedback help")
+    parser.add_argument("--plant", default="nominal", help="nominal, lab or rigid (default: %(default)s)")
+    parser.add_argument("--reference", default="travel-360", help="name or .npz file (default: %(default)s)")
+    parser.add_argument("--seed", type=int, help="of the first episode (default: none)")
+    args = parser.parse_args(arguments)
+    try:
+        env: gym.Env = Heli3DOFEnv(args.plant, args.reference, render_mode="rgb_array")
+        fly(Assist(env) if args.assist else env, args.seed)
+    except (ValueError, gym.error.DependencyNotInstalled) as error:
+        sys.exit(f"heli_gym.play: {error}")
+
+
+def fly(env: gym.Env, seed: int | None = None) -> None:
+    """Let the keyboard fly episode after episode, each summed up in a line, until Escape or the window is closed.
+
+    Raises gymnasium.error.DependencyNotInstalled without pygame.
+    """
+    actions, rest = mapping(env)
+    from gymnasium.utils.play import play  # loads pygame too
+
+    rewards = []
+
+    def sum_up(
+        before: Any, after: Any, action: Any, reward: float, terminated: bool, truncated: bool, info: dict
+    ) -> None:
+        rewards.append(reward)
+        if terminated or truncated:
+            end = "the pitch left its limit" if terminated else "the maneuver is over"
+            print(f"{info['time']:.1f} s flown, {sum(rewards):.2f} s of them on the reference: {end}")
+            rewards.clear()
+
+    play(env, keys_to_action=actions, noop=rest, seed=seed, callback=sum_up)
+    env.close()
+
+
+if __name__ == "__main__":
+    main()
