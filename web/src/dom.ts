@@ -1,0 +1,97 @@
+// What both pages build their elements with.
+
+type Attributes = Record<string, string | number | boolean | ((event: Event) => void)>;
+
+/** An element; attributes that are functions listen to the event of their name. */
+export function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") element.addEventListener(name, value);
+    else if (typeof value === "boolean") element.toggleAttribute(name, value);
+    else element.setAttribute(name, String(value));
+  }
+  element.append(...children);
+  return element;
+}
+
+export const deg = (rad: number) => (rad * 180) / Math.PI;
+
+/** A number with a true minus sign. */
+export const shown = (value: number, digits: number) => value.toFixed(digits).replace(/^-(?=.*[1-9])/, "\u2212").replace(/^-/, "");
+
+/** One colour per policy, from the palette of Okabe and Ito, as in the figures. */
+export const COLOURS = ["#0072B2", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7A5195", "#8C6D31", "#6B7280"];
+export const REFERENCE = "#1d242d";
+
+/** Whether a key belongs to the control that has the focus. */
+export function isForControl(event: KeyboardEvent): boolean {
+  const focused = event.target as HTMLElement;
+  if (event.ctrlKey || event.metaKey || event.altKey) return true;
+  if (focused.matches("select, textarea, input[type=text]")) return true;
+  if (focused.matches("input[type=range], input[type=radio]")) return /^(Arrow|Home|End|Page)/.test(event.key);
+  return focused.matches("button, summary, a, input") && [" ", "Enter"].includes(event.key);
+}
+
+/** A table of keys and what they do, that a button unfolds. */
+export function keyHelp(keys: [string, string][]): HTMLElement {
+  const rows = keys.flatMap(([key, what]) => [
+    make("dt", {}, ...key.split(" ").map((part) => make("kbd", {}, part))),
+    make("dd", {}, what),
+  ]);
+  return make("details", { class: "help" }, make("summary", {}, "Keyboard"), make("dl", {}, ...rows));
+}
+
+/** Counts frames, and the time that scripts take in them, which it shows once a second. */
+export class FrameMeter {
+  readonly element = make("span", { class: "meter" });
+  private frames = 0;
+  private busy = 0;
+  private since = performance.now();
+
+  measure(frame: () => void): void {
+    const began = performance.now();
+    frame();
+    queueMicrotask(() => this.count(began)); // after the plots, which draw in microtasks
+  }
+
+  private count(began: number): void {
+    const now = performance.now();
+    this.busy += now - began;
+    this.frames += 1;
+    if (now - this.since >= 1000) {
+      const rate = (1000 * this.frames) / (now - this.since);
+      const script = this.busy / this.frames;
+      this.element.textContent = `${rate.toFixed(0)} frames/s, ${script.toFixed(1)} ms of script each`;
+      Object.assign(this.element.dataset, { rate, script });
+      [this.frames, this.busy, this.since] = [0, 0, now];
+    }
+  }
+}
+
+/** The label and the numbers over one helicopter, and the rectangle in which the stage draws it. */
+export class View {
+  readonly element: HTMLElement;
+  private readonly numbers = ["travel", "elevation", "pitch", "front", "back"].map((name) => make("span", { title: name }));
+  private readonly note = make("div", { class: "note" });
+
+  constructor(label: string, colour: string) {
+    const name = make("div", { class: "name" }, make("i", { style: `background:${colour}` }), label);
+    this.element = make("div", { class: "view" }, name, make("div", { class: "numbers" }, ...this.numbers), this.note);
+  }
+
+  show(x: readonly number[], u: readonly number[], note: string): void {
+    [x[0], x[2], x[4]].forEach((angle, i) => this.write(i, `${shown(deg(angle), 1)}°`));
+    u.forEach((volts, i) => this.write(3 + i, `${shown(volts, 1)} V`));
+    this.note.textContent = note;
+    this.note.hidden = note === "";
+  }
+
+  private write(i: number, value: string): void {
+    const text = `${this.numbers[i].title} ${value}`;
+    if (this.numbers[i].textContent !== text) this.numbers[i].textContent = text;
+  }
+}
