@@ -1,5 +1,6 @@
 """`heli-evaluate`: fly the policies, print one table, write results.json and the paper's figures."""
 
+import itertools
 import json
 import sys
 import time
@@ -17,20 +18,41 @@ from rich.table import Table
 from scipy.stats import bootstrap
 
 from baselines import figures
-from baselines.flight import fly
+from baselines.flight import fly, fly_many
 from baselines.metrics import Metrics, flight_metrics
 from baselines.normal_form import thrust_bounds, v2_bounds
 from baselines.planner import plan, plan_unconstrained
 from baselines.policies import POLICIES, make_policy
+from baselines.report import check_page, write_report
 from baselines.tvlqr import riccati_gains
-from heli_gym.env import Heli3DOFEnv
+from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.trajectory import Maneuver, Trajectory
+from heli_gym.vector_env import Heli3DOFVectorEnv
 
 PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
 FIGURE_START_DEG = (-5.0, 5.0)  # travel and elevation off the reference, where the flights of Figs. 10 and 11 start
 CONFIDENCE = 0.95
+COLUMNS = (
+    "start",
+    "policy",
+    "RMS travel\n(deg)",
+    "RMS elevation\n(deg)",
+    "RMS pitch\n(deg)",
+    "at the end\n(deg)",
+    "peak pitch\n(deg)",
+    "saturated\n(%)",
+    "cost\n(s)",
+    "return\n(s)",
+    "flown\n(s)",
+    "success\n(%)",
+    "wall time\n(s)",
+)
+CAPTION = (
+    "means; ± half the 95 % bootstrap interval; RMS errors over the time flown; cost: excess over the "
+    "planned limits, in their widths times s; return: seconds flown on the reference"
+)
 
 
 @dataclass
@@ -47,22 +69,26 @@ class Args:
     start_spread_deg: float = 5.0  # how far each angle of their starts may be off
     out: Path = Path("out")  # folder for results.json and the figures
     figures: bool = True  # whether to draw the paper's figures
+    report: Path | None = None  # a page to write, .html: the table, interactive plots and a replay of the flights in 3D
 
 
 class Flight(NamedTuple):
-    """One row of results.json."""
+    """One flight, and what it is judged by."""
 
     policy: str
     start: str
     control_period: float
     seed: int
-    wall_time: float  # s
+    wall_time: float  # s, its share of that of the flights that were flown with it
     metrics: Metrics
+    trajectory: Trajectory
 
 
 def evaluate(args: Args, console: Console) -> list[Flight]:
     """Fly every policy: once exactly, and then the episodes."""
     check_folder("out", args.out)
+    if args.report is not None:
+        check_page("report", args.report)
     if not args.policies or len(set(args.policies)) < len(args.policies):
         raise ValueError(f"policies = {args.policies}: at least one is needed, and none twice")
     if args.episodes < 1:
@@ -70,22 +96,33 @@ def evaluate(args: Args, console: Console) -> list[Flight]:
     if args.seed < 0:
         raise ValueError(f"seed = {args.seed}: at least 0 is needed")
     exact = Heli3DOFEnv(args.plant, args.reference, PAPER_PERIOD)
-    perturbed = Heli3DOFEnv(args.plant, args.reference, args.control_period, start_spread_deg=args.start_spread_deg)
-    jobs = [] if exact.plant.is_random else [(exact, "exact", policy, args.seed) for policy in args.policies]
-    jobs += [(perturbed, "perturbed", policy, args.seed + k) for policy in args.policies for k in range(args.episodes)]
-    policies = {
-        (env, name): make_policy(name, env.reference, env.control_period)
-        for env in (exact, perturbed)
-        for name in args.policies
-    }
+    reference = exact.reference
+    perturbed = Heli3DOFVectorEnv(
+        args.episodes,
+        args.plant,
+        reference,
+        control_period=args.control_period,
+        start_spread_deg=args.start_spread_deg,
+    )
+    starts = ("perturbed",) if exact.plant.is_random else ("exact", "perturbed")
     flights = []
-    for env, start, name, seed in track(jobs, "flying", console=console):
+    for start, name in track([*itertools.product(starts, args.policies)], "flying", console=console):
+        env = exact if start == "exact" else perturbed
+        policy = make_policy(name, reference, env.control_period)
         began = time.perf_counter()
-        flight = fly(env, policies[env, name], seed=seed)
-        wall_time = time.perf_counter() - began
-        metrics = flight_metrics(flight, env.reference, env.voltage_limits)
-        flights.append(Flight(name, start, env.control_period, seed, wall_time, metrics))
+        group = [fly(exact, policy, seed=args.seed)] if env is exact else fly_many(perturbed, policy, args.seed)
+        wall_time = (time.perf_counter() - began) / len(group)
+        for k, flight in enumerate(group):
+            metrics = flight_metrics(flight, reference, env.voltage_limits)
+            flights.append(Flight(name, start, env.control_period, args.seed + k, wall_time, metrics, flight))
     return flights
+
+
+def flight_row(flight: Flight) -> dict[str, Any]:
+    """A flight in results.json: all but where it went."""
+    row = {**flight._asdict(), "metrics": flight.metrics._asdict()}
+    del row["trajectory"]
+    return row
 
 
 def summarise(flights: Sequence[Flight]) -> list[dict[str, Any]]:
@@ -113,54 +150,58 @@ def with_interval(values: np.ndarray) -> dict[str, Any]:
     return {"mean": mean.tolist(), "interval": [interval.low.tolist(), interval.high.tolist()]}
 
 
-def results_table(rows: Iterable[dict[str, Any]], args: Args) -> Table:
-    """What is printed: means, and for the RMS errors half the width of the interval."""
-    table = Table(
-        title=f"{args.reference} on the plant {args.plant}: exact start at {PAPER_PERIOD * 1e3:g} ms; "
-        f"perturbed: {args.episodes} starts up to {args.start_spread_deg:g}° off at {args.control_period * 1e3:g} ms",
-        caption="means; ± half the 95 % bootstrap interval; RMS errors over the time flown; cost: excess over the "
-        "planned limits, in their widths times s; return: seconds flown on the reference",
+def table_title(args: Args) -> str:
+    """What the table is about."""
+    return (
+        f"{args.reference} on the plant {args.plant}: exact start at {PAPER_PERIOD * 1e3:g} ms; "
+        f"perturbed: {args.episodes} starts up to {args.start_spread_deg:g}° off at {args.control_period * 1e3:g} ms"
     )
-    for name in ("start", "policy"):
-        table.add_column(name)
-    for name in (
-        "RMS travel\n(deg)",
-        "RMS elevation\n(deg)",
-        "RMS pitch\n(deg)",
-        "at the end\n(deg)",
-        "peak pitch\n(deg)",
-        "saturated\n(%)",
-        "cost\n(s)",
-        "return\n(s)",
-        "flown\n(s)",
-        "success\n(%)",
-        "wall time\n(s)",
-    ):
-        table.add_column(name, justify="right")
+
+
+def table_cells(row: dict[str, Any]) -> list[str]:
+    """One row under COLUMNS: means, and for the RMS errors half the width of the interval."""
+    mean = {name: value["mean"] for name, value in row.items() if isinstance(value, dict)}
+    interval = row["rms_error_deg"]["interval"]
+    rms = [f"{value:.4f}" if interval is None else f"{value:.2f}" for value in mean["rms_error_deg"]]
+    if interval is not None:
+        rms = [f"{value} ± {(high - low) / 2:.2f}" for value, low, high in zip(rms, *interval)]
+    return [
+        row["start"],
+        row["policy"],
+        *rms,
+        f"{max(mean['terminal_error_deg']):.3f}",
+        f"{mean['peak_pitch_deg']:.1f}",
+        f"{100 * mean['saturated']:.1f}",
+        f"{mean['cost']:.4f}",
+        f"{mean['episode_return']:.2f}",
+        f"{mean['flown']:.2f}",
+        f"{100 * mean['success']:.0f}",
+        f"{mean['wall_time']:.2f}",
+    ]
+
+
+def results_table(rows: Iterable[dict[str, Any]], args: Args) -> Table:
+    """What is printed."""
+    table = Table(title=table_title(args), caption=CAPTION)
+    for name in COLUMNS:
+        table.add_column(name, justify="left" if name in ("start", "policy") else "right")
     previous = None
     for row in rows:
         if previous not in (None, row["start"]):
             table.add_section()
         previous = row["start"]
-        mean = {name: value["mean"] for name, value in row.items() if isinstance(value, dict)}
-        interval = row["rms_error_deg"]["interval"]
-        rms = [f"{value:.4f}" if interval is None else f"{value:.2f}" for value in mean["rms_error_deg"]]
-        if interval is not None:
-            rms = [f"{value} ± {(high - low) / 2:.2f}" for value, low, high in zip(rms, *interval)]
-        table.add_row(
-            row["start"],
-            row["policy"],
-            *rms,
-            f"{max(mean['terminal_error_deg']):.3f}",
-            f"{mean['peak_pitch_deg']:.1f}",
-            f"{100 * mean['saturated']:.1f}",
-            f"{mean['cost']:.4f}",
-            f"{mean['episode_return']:.2f}",
-            f"{mean['flown']:.2f}",
-            f"{100 * mean['success']:.0f}",
-            f"{mean['wall_time']:.2f}",
-        )
+        table.add_row(*table_cells(row))
     return table
+
+
+def report_flights(flights: Iterable[Flight]) -> dict[str, dict[str, Trajectory]]:
+    """What the report replays, by start and policy: of each the first flight."""
+    shown: dict[str, dict[str, Trajectory]] = {}
+    for flight in flights:
+        period = f"{flight.control_period * 1e3:g} ms"
+        label = f"exact start, {period}" if flight.start == "exact" else f"perturbed start, {period}, first episode"
+        shown.setdefault(label, {}).setdefault(flight.policy, flight.trajectory)
+    return shown
 
 
 def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: Maneuver) -> list[dict[str, Any]]:
@@ -237,15 +278,29 @@ def main(args: Args | None = None) -> None:
 
     results = {
         "version": version("heli-gym"),
-        "settings": {**asdict(args), "out": str(args.out)},
+        "settings": {name: str(value) if isinstance(value, Path) else value for name, value in asdict(args).items()},
         "paper": numbers,
         "summary": rows,
-        "flights": [{**flight._asdict(), "metrics": flight.metrics._asdict()} for flight in flights],
+        "flights": [flight_row(flight) for flight in flights],
     }
     with atomic_write(args.out / "results.json") as file:
         file.write(json.dumps(results, indent=1).encode())
     if args.figures:
         draw_figures(args, unconstrained, constrained, console)
+    if args.report is not None:
+        write_report(
+            args.report,
+            title=f"{args.reference} on the plant {args.plant}",
+            table={
+                "title": table_title(args),
+                "caption": CAPTION,
+                "columns": COLUMNS,
+                "rows": [*map(table_cells, rows)],
+            },
+            reference=find_reference(args.reference),
+            flights=report_flights(flights),
+        )
+        console.print(f"report: {args.report}")
     console.print(f"written to {args.out}")
 
 

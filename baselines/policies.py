@@ -1,14 +1,20 @@
-"""Every controller behind one protocol: policy(t, measurement) -> voltages."""
+"""Every controller behind one protocol: policy(t, measurement) -> voltages.
+
+They broadcast: a policy flies one helicopter or N of them, at one time or at N.
+"""
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Protocol
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from baselines.tvlqr import Q, R, riccati_gains, stationary_gain
+from baselines import tvlqr
+from baselines.estimation import IDEAL, Actuator, Noise, accommodated, kalman_gains, predict
+from baselines.regulation import IntegralWeights, Weights, regulator_gains
+from baselines.tvlqr import riccati_gains, stationary_gain
 from heli_gym.model import fan_thrusts, hover_input, thrust, virtual_input, voltage
-from heli_gym.parameters import HelicopterParameters
+from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
@@ -19,8 +25,25 @@ class Policy(Protocol):
     def reset(self, rng: np.random.Generator) -> None:
         """Prepare for a new flight; what is random in it comes from rng."""
 
-    def __call__(self, t: float, measurement: np.ndarray) -> np.ndarray:
-        """Voltages (2,) in V to hold from the time t in s on, given the measured state (6,) in rad and rad/s."""
+    def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
+        """Voltages (2, ...) in V to hold from the time t in s on, given measured states (6, ...) in rad and rad/s."""
+
+
+def beside(column: np.ndarray, measurement: np.ndarray) -> np.ndarray:
+    """The column (n,), or columns (n, N), in a shape that broadcasts with a measurement (6, ...)."""
+    return column if column.ndim > 1 else column.reshape(-1, *(1,) * (measurement.ndim - 1))
+
+
+def applied_to(gains: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """The gains (m, n), or (m, n, N) of N times, times the values (n, ...)."""
+    return gains @ values if gains.ndim == 2 else np.einsum("ijk,jk->ik", gains, values)
+
+
+def period(t: Any, control_period: float, last: int) -> Any:
+    """In which control period, of those up to the last, the time t in s is; (N,) for N times."""
+    if np.ndim(t):
+        return np.minimum(np.round(np.asarray(t) / control_period).astype(int), last)
+    return min(round(t / control_period), last)
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,21 +63,193 @@ class TrackingPolicy:
     def reset(self, rng: np.random.Generator) -> None:
         """Nothing to do: this policy remembers nothing."""
 
-    def __call__(self, t: float, measurement: np.ndarray) -> np.ndarray:
-        k = min(round(t / self.control_period), self.x.shape[1] - 1)
-        v = self.v[:, k] - self.gains[:, :, k] @ (measurement - self.x[:, k])
+    def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
+        k = period(t, self.control_period, self.x.shape[1] - 1)
+        error = measurement - beside(self.x[:, k], measurement)
+        v = beside(self.v[:, k], measurement) - applied_to(self.gains[:, :, k], error)
         return voltage(fan_thrusts(v), self.parameters)
 
 
+class Memory(NamedTuple):
+    """What a `ModelPolicy` remembers from one control period to the next."""
+
+    x: np.ndarray  # (6, ...) state, predicted; rad and rad/s
+    disturbance: np.ndarray  # (3, ...) estimated; rad/s²
+    rotors: np.ndarray  # (2, ...) simulated; V
+    pending: tuple[np.ndarray, ...]  # (2, ...) each, asked for and not yet in effect; V
+    integral: np.ndarray  # (2, ...) of the errors of travel and elevation; rad s
+
+
+@dataclass(eq=False)
+class ModelPolicy:
+    """Fig. 3 with a model that runs along: of the actuator and, where there is a filter, of disturbances.
+
+    On the control grid, K + 1 times `control_period` s apart: x (6, K + 1) and u (2, K + 1), the reference's states and
+    voltages; command (2, K + 1), the voltages that an actuator turns into these; regulator (2, n, K + 1), the gains of
+    `regulator_gains`; and observer (9, 3, K + 1), those of `kalman_gains`. Without these, the measured state is used
+    as it is. The feedback acts on the state that is predicted for the time when the voltages take effect.
+    """
+
+    x: np.ndarray
+    u: np.ndarray
+    command: np.ndarray
+    regulator: np.ndarray
+    observer: np.ndarray | None
+    integrating: bool
+    actuator: Actuator
+    pitch_limits: tuple[float, float]
+    parameters: HelicopterParameters
+    control_period: float
+    voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
+    memory: Memory | None = field(default=None, init=False, repr=False)
+
+    def reset(self, rng: np.random.Generator) -> None:
+        """Forget the last flight; nothing is random."""
+        self.memory = None
+
+    def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
+        measurement = np.asarray(measurement, dtype=float)
+        last = self.x.shape[1] - 1
+        now = period(t, self.control_period, last)
+        memory = self.memory or self.beginning(now, measurement)
+
+        x, disturbance = self.estimated(memory, now, measurement)
+        later, rotors = x, memory.rotors
+        for u in memory.pending:
+            later, rotors = self.predicted(later, rotors, u, disturbance)
+        u = self.regulated(np.minimum(now + self.actuator.delay, last), later, rotors, disturbance, memory.integral)
+
+        applied = np.clip(u, *self.voltage_limits)
+        pending = (*memory.pending, applied)
+        error = (x - beside(self.x[:, now], x))[[0, 2]]
+        # Anti-windup: nothing is integrated while the amplifier saturates.
+        integral = memory.integral + self.control_period * error * (u == applied).all(axis=0)
+        x, rotors = self.predicted(x, memory.rotors, pending[0], disturbance)
+        self.memory = Memory(x, disturbance, rotors, pending[1:], integral)
+        return u
+
+    def replace_last(self, u: np.ndarray) -> None:
+        """Tells what voltages (2, ...) were asked for after all, in place of those that were given last."""
+        if self.memory is None or not self.memory.pending:
+            raise ValueError("replace_last: only voltages that are still delayed can be replaced")
+        pending = (*self.memory.pending[:-1], np.clip(u, *self.voltage_limits))
+        self.memory = self.memory._replace(pending=pending)
+
+    def beginning(self, now: Any, measurement: np.ndarray) -> Memory:
+        """At the first call: the reference, which is what a filter begins with, the rotors turning at its voltages."""
+        batch = measurement.shape[1:]
+        x, u = (beside(start[:, now], measurement) + np.zeros(batch) for start in (self.x, self.u))
+        return Memory(x, np.zeros((3, *batch)), u, (u,) * self.actuator.delay, np.zeros((2, *batch)))
+
+    def estimated(self, memory: Memory, now: Any, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """State (6, ...) and disturbance (3, ...)."""
+        if self.observer is None:
+            return measurement, memory.disturbance
+        correction = applied_to(self.observer[:, :, now], (measurement - memory.x)[0::2])
+        return memory.x + correction[:6], memory.disturbance + correction[6:]
+
+    def predicted(self, x: Any, rotors: Any, u: Any, disturbance: Any) -> tuple[np.ndarray, np.ndarray]:
+        """State (6, ...) and rotor speeds (2, ...) a control period later."""
+        return predict(x, rotors, u, disturbance, self.control_period, self.actuator.lag, self.parameters)
+
+    def regulated(self, k: Any, x: Any, rotors: Any, disturbance: Any, integral: Any) -> np.ndarray:
+        """Voltages (2, ...) for the k-th period, before the amplifier limits them."""
+        p = self.parameters
+        v, v_ref, v_command = (
+            np.stack(virtual_input(thrust(voltages, p)))
+            for voltages in (rotors, beside(self.u[:, k], x), beside(self.command[:, k], x))
+        )
+        x_ref, v_hold = beside(self.x[:, k], x), v_ref
+        if self.observer is not None:
+            x_ref, v_hold = accommodated(x_ref, v_ref, disturbance, self.pitch_limits, p)
+        deviations = [x - x_ref]
+        if self.actuator.lag:
+            deviations.append(v - v_hold)
+        if self.integrating:
+            deviations.append(integral)
+        v = v_command + (v_hold - v_ref) - applied_to(self.regulator[:, :, k], np.concatenate(deviations))
+        return voltage(fan_thrusts(v), p)
+
+
 @dataclass(frozen=True)
-class MotorsOff:
-    """No voltage at all."""
+class ConstantVoltage:
+    """The same voltage in V at both fans, whatever happens."""
+
+    u: float
 
     def reset(self, rng: np.random.Generator) -> None:
         """Nothing to do: this policy remembers nothing."""
 
-    def __call__(self, t: float, measurement: np.ndarray) -> np.ndarray:
-        return np.zeros(2)
+    def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
+        return np.full((2, *np.shape(measurement)[1:]), self.u)
+
+
+@dataclass(frozen=True)
+class ObserverWeights(Weights):
+    """Those of a regulator, and the intensities of `Noise`."""
+
+    travel_disturbance: float
+    elevation_disturbance: float
+    pitch_disturbance: float
+    acceleration: float
+
+    @property
+    def noise(self) -> Noise:
+        """What drives the Kalman filter."""
+        return Noise(self.travel_disturbance, self.elevation_disturbance, self.pitch_disturbance, self.acceleration)
+
+
+# The weights of the paper's regulator stand in tvlqr.py. The others are rounded from what a search like that of
+# `python -m baselines.tune` found, half on nominal helicopters and half on draws of `lab`.
+TVLQR = Weights(*np.diag(tvlqr.Q).tolist(), *np.diag(tvlqr.R).tolist())
+LQI = IntegralWeights(
+    travel=30.0,
+    travel_rate=35.0,
+    elevation=65.0,
+    elevation_rate=40.0,
+    pitch=0.8,
+    pitch_rate=0.6,
+    thrust_sum=1.0,
+    thrust_difference=4.0,
+    travel_integral=0.8,
+    elevation_integral=12.0,
+)
+LAG_LQR = Weights(
+    travel=220.0,
+    travel_rate=5.0,
+    elevation=200.0,
+    elevation_rate=3.0,
+    pitch=5.0,
+    pitch_rate=3.0,
+    thrust_sum=1.0,
+    thrust_difference=0.4,
+)
+LAG_LQI = IntegralWeights(
+    travel=100.0,
+    travel_rate=3.0,
+    elevation=120.0,
+    elevation_rate=2.5,
+    pitch=1.0,
+    pitch_rate=1.0,
+    thrust_sum=1.0,
+    thrust_difference=0.35,
+    travel_integral=1.5,
+    elevation_integral=50.0,
+)
+KALMAN_LQR = ObserverWeights(
+    travel=20.0,
+    travel_rate=40.0,
+    elevation=75.0,
+    elevation_rate=45.0,
+    pitch=0.12,
+    pitch_rate=0.14,
+    thrust_sum=1.0,
+    thrust_difference=0.55,
+    travel_disturbance=0.25,
+    elevation_disturbance=0.02,
+    pitch_disturbance=0.9,
+    acceleration=0.01,
+)
 
 
 def open_loop(reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> TrackingPolicy:
@@ -65,16 +260,12 @@ def open_loop(reference: Trajectory, control_period: float, parameters: Helicopt
 
 
 def feedforward_tvlqr(
-    reference: Trajectory,
-    control_period: float,
-    parameters: HelicopterParameters,
-    Q: np.ndarray = Q,
-    R: np.ndarray = R,
+    reference: Trajectory, control_period: float, parameters: HelicopterParameters, weights: Weights = TVLQR
 ) -> TrackingPolicy:
     """The paper's controller: the feedforward of Section III-D and the time-varying regulator of Section III-E."""
     feedforward = open_loop(reference, control_period, parameters)
     times = control_period * np.arange(feedforward.x.shape[1])
-    gains = riccati_gains(reference, parameters, Q, R)(times)
+    gains = riccati_gains(reference, parameters, weights.Q, weights.R)(times)
     return TrackingPolicy(feedforward.x, feedforward.v, gains, parameters, control_period)
 
 
@@ -87,16 +278,112 @@ def hover_lqr(reference: Trajectory, control_period: float, parameters: Helicopt
     return TrackingPolicy(x, v, gains, parameters, control_period)
 
 
-def zero(reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> MotorsOff:
+def model_policy(
+    reference: Trajectory,
+    control_period: float,
+    parameters: HelicopterParameters,
+    weights: Weights,
+    actuator: Actuator,
+) -> ModelPolicy:
+    """The feedforward and a regulator with these weights for a helicopter with this actuator.
+
+    Against the lag, the feedforward leads: a rotor turns at u(t) if its voltage is u + lag du/dt. `IntegralWeights`
+    give integral action, `ObserverWeights` a Kalman filter.
+    """
+    x, middle = control_grid(reference, control_period)
+    times = control_period * np.arange(x.shape[1] + 1)
+    _, u = reference(times)
+    command = middle + actuator.lag * np.diff(u, axis=1) / control_period
+    u = u[:, :-1]
+    v = np.stack(virtual_input(thrust(u, parameters)))
+    regulator = regulator_gains(x, v, control_period, parameters, weights, actuator.lag)
+    observer = None
+    if isinstance(weights, ObserverWeights):
+        observer = kalman_gains(x, v, control_period, parameters, weights.noise)
+    return ModelPolicy(
+        x=x,
+        u=u,
+        command=command,
+        regulator=regulator,
+        observer=observer,
+        integrating=isinstance(weights, IntegralWeights),
+        actuator=actuator,
+        pitch_limits=reference.limits.pitch,
+        parameters=parameters,
+        control_period=control_period,
+    )
+
+
+def lqi(
+    reference: Trajectory, control_period: float, parameters: HelicopterParameters, weights: IntegralWeights = LQI
+) -> ModelPolicy:
+    """Feedforward and time-varying regulator with integral action on travel and elevation; it knows of no lag."""
+    return model_policy(reference, control_period, parameters, weights, IDEAL)
+
+
+def lag_lqr(
+    reference: Trajectory,
+    control_period: float,
+    parameters: HelicopterParameters,
+    weights: Weights = LAG_LQR,
+    actuator: Actuator = Actuator(),
+) -> ModelPolicy:
+    """The regulator for the helicopter with a rotor lag and a delay, both nominal."""
+    return model_policy(reference, control_period, parameters, weights, actuator)
+
+
+def lag_lqi(
+    reference: Trajectory,
+    control_period: float,
+    parameters: HelicopterParameters,
+    weights: IntegralWeights = LAG_LQI,
+    actuator: Actuator = Actuator(),
+) -> ModelPolicy:
+    """The same with integral action on travel and elevation."""
+    return model_policy(reference, control_period, parameters, weights, actuator)
+
+
+def kalman_lqr(
+    reference: Trajectory,
+    control_period: float,
+    parameters: HelicopterParameters,
+    weights: ObserverWeights = KALMAN_LQR,
+    actuator: Actuator = Actuator(),
+) -> ModelPolicy:
+    """The same regulator as `lag_lqr` on the estimates of a Kalman filter, which sees the angles alone.
+
+    The filter also estimates the accelerations that (3) does not explain, and the reference makes up for them.
+    """
+    return model_policy(reference, control_period, parameters, weights, actuator)
+
+
+def zero(reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> ConstantVoltage:
     """Motors off."""
-    return MotorsOff()
+    return ConstantVoltage(0.0)
 
 
-POLICIES: dict[str, Callable[[Trajectory, float, HelicopterParameters], Policy]] = {
+def middle_voltage(reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> ConstantVoltage:
+    """What an agent that flies alone starts from: the middle of the amplifier's range."""
+    return ConstantVoltage(0.5 * sum(AMPLIFIER_LIMITS))
+
+
+POLICIES: dict[str, Callable[..., Policy]] = {
     "open-loop": open_loop,
     "feedforward+tvlqr": feedforward_tvlqr,
+    "lqi": lqi,
+    "lag-lqr": lag_lqr,
+    "lag-lqi": lag_lqi,
+    "kalman-lqr": kalman_lqr,
     "hover-lqr": hover_lqr,
+    "middle-voltage": middle_voltage,
     "zero": zero,
+}
+WEIGHTS: dict[str, Weights] = {  # of those that can be tuned
+    "feedforward+tvlqr": TVLQR,
+    "lqi": LQI,
+    "lag-lqr": LAG_LQR,
+    "lag-lqi": LAG_LQI,
+    "kalman-lqr": KALMAN_LQR,
 }
 
 
@@ -105,11 +392,25 @@ def make_policy(
     reference: Trajectory,
     control_period: float = 0.02,
     parameters: HelicopterParameters = HelicopterParameters(),
+    weights: Weights | None = None,
 ) -> Policy:
     """A policy by its name, for a reference, a control period in s and the parameters that it is to believe in.
 
-    Raises ValueError for an unknown name.
+    A name that ends in .json is the path of a learned policy; see `baselines.residual`. The weights are those in
+    `WEIGHTS`, unless others of the same type are given.
+
+    Raises ValueError for an unknown name, or for weights that the policy does not have.
     """
+    if str(name).endswith(".json") and weights is None:
+        from baselines.residual import learned_policy
+
+        return learned_policy(name, reference, control_period, parameters)
     if name not in POLICIES:
-        raise ValueError(f"name = {name!r}: one of {', '.join(map(repr, POLICIES))} is needed")
-    return POLICIES[name](reference, control_period, parameters)
+        known = ", ".join(map(repr, POLICIES))
+        raise ValueError(f"name = {name!r}: one of {known}, or the path of a learned policy, .json, is needed")
+    if weights is None:
+        return POLICIES[name](reference, control_period, parameters)
+    if type(weights) is not type(WEIGHTS.get(name)):
+        kind = type(WEIGHTS[name]).__name__ if name in WEIGHTS else "nothing, for it has no weights,"
+        raise ValueError(f"weights = {weights!r}: {kind} is needed for {name!r}")
+    return POLICIES[name](reference, control_period, parameters, weights)

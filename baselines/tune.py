@@ -1,81 +1,120 @@
-"""Whether the weights of (49) could be better: `python -m baselines.tune` tells, in about a quarter of an hour.
+"""Whether the weights of a policy could be better: `python -m baselines.tune --policy lqi` tells.
 
-The paper gives no weights. Half of the helicopters that they are tuned on are nominal, the others are draws of the
-plant `lab`; all start up to 5 degrees off. What is maximised is what a learner would maximise: the environment's mean
-return, over fixed draws, at its default control period. The best is then judged on other draws. (Without the nominal
-ones, or without the delay that `lab` has, the gains that come out chatter.)
+Every policy gets the same budget: the same helicopters, as many candidates, and the same information. Half of the
+helicopters are nominal, the others are draws of the plant `lab`; all start up to 5 degrees off. What is maximised is
+what a learner would maximise: the environment's mean return, over fixed draws, at its default control period. The best
+is then judged on other draws. (Without the nominal ones, or without the delay that `lab` has, the gains that come out
+chatter.)
 """
 
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass, fields, replace
+from typing import Literal
 
 import numpy as np
 import tyro
 from rich.console import Console
 from rich.progress import Progress
 from scipy.optimize import differential_evolution
+from scipy.stats.qmc import LatinHypercube, scale
 
-from baselines import tvlqr
-from baselines.flight import fly
-from baselines.metrics import flight_metrics
-from baselines.policies import feedforward_tvlqr
-from heli_gym.env import Heli3DOFEnv
-from heli_gym.parameters import HelicopterParameters
+from baselines.policies import WEIGHTS, Policy, make_policy
+from baselines.regulation import Weights
+from heli_gym.env import find_reference
+from heli_gym.task import control_steps, to_action
+from heli_gym.vector_env import Heli3DOFVectorEnv
 
 PLANTS = ("nominal", "lab")
 START_SPREAD_DEG = 5.0
-DECADES = [(-1.0, 4.0)] * 6 + [(-2.0, 1.0)]  # that are searched: the diagonal of Q, then the weight on v2 in R
+
+# What is searched: decimal logarithms. Only ratios of the weights matter, so that on the thrust sum stays as it is.
+DECADES: dict[str, tuple[float, float]] = {
+    "travel": (-1.0, 4.0),
+    "travel_rate": (-1.0, 4.0),
+    "elevation": (-1.0, 4.0),
+    "elevation_rate": (-1.0, 4.0),
+    "pitch": (-2.0, 3.0),
+    "pitch_rate": (-2.0, 3.0),
+    "thrust_difference": (-2.0, 1.0),
+    "travel_integral": (-2.0, 3.0),
+    "elevation_integral": (-2.0, 3.0),
+    "travel_disturbance": (-3.0, 1.0),
+    "elevation_disturbance": (-3.0, 1.0),
+    "pitch_disturbance": (-3.0, 1.0),
+    "acceleration": (-3.0, 1.0),
+}
 
 
 @dataclass
 class Args:
-    """Tune the weights of the time-varying regulator."""
+    """Tune the weights of a policy."""
 
-    draws: int = 6  # helicopters of each plant that a candidate flies
-    generations: int = 14  # of differential evolution
-    population: int = 5  # candidates per weight
+    policy: Literal["feedforward+tvlqr", "lqi", "lag-lqr", "lag-lqi", "kalman-lqr"] = "feedforward+tvlqr"
+    reference: str = "travel-360"  # a packaged reference, or an .npz file
+    draws: int = 32  # helicopters of each plant that a candidate flies
+    candidates: int = 600  # that are flown, whatever the number of weights
+    population: int = 40  # of these in each generation of differential evolution
     seed: int = 0  # of the draws and of the search; the judgement's draws follow
 
 
-def weights(decades: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Q and R from the decimal logarithms of their diagonals. Only ratios matter, so the weight on v1 is 1."""
-    return np.diag(10.0 ** decades[:6]), np.diag([1.0, 10.0 ** decades[6]])
+def searched(weights: Weights) -> list[str]:
+    """The names of the weights that are searched."""
+    return [field.name for field in fields(weights) if field.name in DECADES]
 
 
-def mean_return(Q: np.ndarray, R: np.ndarray, seeds: range) -> float:
-    """Of the regulator with these weights, over both plants."""
-    returns = []
-    for plant in PLANTS:
-        env = Heli3DOFEnv(plant, start_spread_deg=START_SPREAD_DEG)
-        policy = feedforward_tvlqr(env.reference, env.control_period, HelicopterParameters(), Q, R)
-        for seed in seeds:
-            metrics = flight_metrics(fly(env, policy, seed=seed), env.reference, env.voltage_limits)
-            returns.append(metrics.episode_return)
-    return float(np.mean(returns))
+def with_decades(weights: Weights, decades: np.ndarray) -> Weights:
+    """The weights with those that are searched replaced, given their decimal logarithms."""
+    return replace(weights, **dict(zip(searched(weights), (10.0**decades).tolist())))
+
+
+def returns(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> np.ndarray:
+    """The returns (N,) of one episode of each helicopter, seeded from `seed` on."""
+    _, info = envs.reset(seed=seed)
+    policy.reset(np.random.default_rng(seed))
+    total, flying = np.zeros(envs.num_envs), np.ones(envs.num_envs, bool)
+    for k in range(control_steps(envs.references[0].duration, envs.control_period)):
+        u = policy(k * envs.control_period, info["measurement"].T)
+        _, rewards, terminated, truncated, info = envs.step(to_action(u, envs.voltage_limits).T)
+        total += np.where(flying, rewards, 0.0)
+        flying &= ~(terminated | truncated)  # a helicopter whose flight is over starts another, which does not count
+    return total
 
 
 def main(args: Args) -> None:
     """Search, then print the weights and what they are worth."""
     console = Console()
-    seeds = range(args.seed, args.seed + args.draws)
-    others = range(seeds.stop, seeds.stop + args.draws)
+    reference = find_reference(args.reference)
+    envs = [Heli3DOFVectorEnv(args.draws, plant, reference, start_spread_deg=START_SPREAD_DEG) for plant in PLANTS]
+    in_use = WEIGHTS[args.policy]
+
+    def mean_return(weights: Weights, seed: int) -> float:
+        policy = make_policy(args.policy, reference, envs[0].control_period, weights=weights)
+        return float(np.mean([returns(env, policy, seed) for env in envs]))
+
+    names = searched(in_use)
+    low, high = np.array([DECADES[name] for name in names]).T
+    population = scale(LatinHypercube(len(names), rng=args.seed).random(args.population), low, high)
+    population[0] = [np.log10(getattr(in_use, name)) for name in names]
     with Progress(console=console) as progress:
-        task = progress.add_task("tuning", total=args.generations + 1)
+        generations = max(1, args.candidates // args.population - 1)
+        task = progress.add_task("tuning", total=generations)
         result = differential_evolution(
-            lambda decades: -mean_return(*weights(decades), seeds),
-            DECADES,
-            maxiter=args.generations,
-            popsize=args.population,
+            lambda decades: -mean_return(with_decades(in_use, decades), args.seed),
+            list(zip(low, high)),
+            init=population,
+            maxiter=generations,
+            tol=0.0,  # the budget is used up
             rng=args.seed,
             polish=False,
             callback=lambda intermediate_result: progress.update(
                 task, advance=1, description=f"tuning, best return {-intermediate_result.fun:.3f}"
             ),
         )
-    Q, R = weights(result.x)
-    console.print(f"Q = np.diag({np.diag(Q).round(3).tolist()})\nR = np.diag({np.diag(R).round(3).tolist()})")
-    for name, pair in (("in use", (tvlqr.Q, tvlqr.R)), ("tuned", (Q, R))):
-        tuned_on, held_out = (mean_return(*pair, group) for group in (seeds, others))
-        console.print(f"{name}: mean return {tuned_on:.3f} on the draws tuned on, {held_out:.3f} on others")
+    tuned = with_decades(in_use, result.x)
+    for name, value in zip((field.name for field in fields(tuned)), astuple(tuned)):
+        console.print(f"{name} = {value:.3g}")
+    for label, weights in (("in use", in_use), ("tuned", tuned)):
+        tuned_on, held_out = (mean_return(weights, seed) for seed in (args.seed, args.seed + args.draws))
+        console.print(f"{label}: mean return {tuned_on:.3f} on the draws tuned on, {held_out:.3f} on others")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,8 @@ from heli_gym.model import hover_input, thrust, voltage
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.storage import atomic_write
 
+LARGEST_GAP = 1e-9  # rad and rad/s, between the end of a trajectory and the start of the one that is joined to it
+
 
 @dataclass(frozen=True)
 class Maneuver:
@@ -143,3 +145,20 @@ class Trajectory:
             raise
         except Exception as error:
             raise ValueError(f"path = {str(path)!r} holds no trajectory: {error}") from error
+
+
+def joined(first: Trajectory, second: Trajectory) -> Trajectory:
+    """The one trajectory, then the other, which starts where the first ends; the limits are the first's.
+
+    Raises ValueError if the second starts in another state, or if they were planned under different limits.
+    """
+    gap = np.abs(second.x[:, 0] - first.x[:, -1]).max()
+    if gap > LARGEST_GAP:
+        raise ValueError(
+            f"second: starts in {second.x[:, 0]}, {gap:g} rad or rad/s from {first.x[:, -1]}, where the first ends"
+        )
+    if first.limits != second.limits:
+        raise ValueError(f"second: planned within {second.limits}, and the first within {first.limits}")
+    t = np.concatenate((first.t, first.duration + second.t[1:]))
+    x, u = (np.concatenate((a, b[:, 1:]), axis=1) for a, b in ((first.x, second.x), (first.u, second.u)))
+    return Trajectory(t, x, u, first.limits)

@@ -10,14 +10,21 @@ from independent import TABLE_I, hover, inputs
 from numpy.testing import assert_allclose, assert_array_equal
 
 from baselines import POLICIES, fly, make_policy, riccati_gains
+from baselines.estimation import IDEAL, Actuator
 from baselines.metrics import flight_metrics
+from baselines.policies import LQI, TVLQR, WEIGHTS, kalman_lqr, lag_lqi, lag_lqr
 from heli_gym import HelicopterParameters
 from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.plant import Plant, Push, Rotors
 
 REFERENCE = find_reference("travel-360")
 PERIODS = [0.001, 0.005, 0.02]
 CORNER = np.radians([5.0, 0.0, -5.0, 0.0, 5.0, 0.0])
 SEEDS = range(6)
+FORGETFUL = ["open-loop", "feedforward+tvlqr", "hover-lqr", "zero"]
+REMEMBERING = ["lqi", "lag-lqr", "lag-lqi", "kalman-lqr"]
+LAG_AWARE = ["lag-lqr", "lag-lqi", "kalman-lqr"]
+LAGGING = Plant(rotors=Rotors(lag=Actuator().lag, delay=Actuator().delay))  # what the lag-aware ones assume
 
 
 @functools.cache
@@ -29,7 +36,7 @@ def the_papers(control_period: float = 0.02):
 def perturbed():
     """Flights at 20 ms from the same starts up to 5 degrees off, by policy."""
     env = Heli3DOFEnv(start_spread_deg=5.0)
-    policies = {name: make_policy(name, REFERENCE) for name in POLICIES}
+    policies = {name: make_policy(name, REFERENCE) for name in FORGETFUL}
     return {name: [fly(env, policy, seed=seed) for seed in SEEDS] for name, policy in policies.items()}
 
 
@@ -74,9 +81,7 @@ def test_from_a_perturbed_start_the_feedforward_alone_does_not_converge(perturbe
 
 def test_the_papers_controller_beats_the_others_from_every_start(perturbed):
     papers = metrics(perturbed["feedforward+tvlqr"])
-    for name in POLICIES:
-        if name == "feedforward+tvlqr":
-            continue
+    for name in ("open-loop", "hover-lqr", "zero"):
         for ours, other in zip(papers, metrics(perturbed[name])):
             assert ours.episode_return > 1.3 * other.episode_return
             travel, elevation, _ = zip(ours.rms_error_deg, other.rms_error_deg)
@@ -90,27 +95,143 @@ def test_the_feedforward_alone_flies_the_maneuver_from_the_exact_start():
     assert max(flown.rms_error_deg) < 0.05
 
 
-@pytest.mark.parametrize("name", ["feedforward+tvlqr", "hover-lqr"])
+@pytest.mark.parametrize(
+    ("name", "tolerance"),
+    [
+        ("feedforward+tvlqr", 1e-3),
+        ("hover-lqr", 1e-3),
+        *((name, 1e-2) for name in REMEMBERING),
+    ],  # integrals take longer
+)
 @pytest.mark.parametrize("elevation", [-0.1, 0.0, 0.15])
-def test_the_regulators_hold_hover_at_any_elevation(name, elevation):
+def test_the_regulators_hold_hover_at_any_elevation(name, tolerance, elevation):
     reference = hover(12.0, elevation)
     start = reference.x[:, 0] + CORNER
     flight = fly(Heli3DOFEnv(reference=reference), make_policy(name, reference), options={"state": start})
-    assert_allclose(flight.x[:, -1], reference.x[:, -1], atol=1e-3)
+    assert_allclose(flight.x[:, -1], reference.x[:, -1], atol=tolerance)
+
+
+def test_on_the_nominal_plant_integral_action_costs_no_accuracy():
+    [papers, integral] = metrics([fly(Heli3DOFEnv(), make_policy(name, REFERENCE)) for name in WEIGHTS][:2])
+    assert max(integral.rms_error_deg) < max(papers.rms_error_deg) + 0.01
+
+
+@pytest.mark.parametrize("name", LAG_AWARE)
+def test_on_the_plant_that_they_assume_the_lag_aware_ones_follow_the_reference(name):
+    [flown] = metrics([fly(Heli3DOFEnv(LAGGING), make_policy(name, REFERENCE))])
+    assert flown.success
+    assert max(flown.rms_error_deg) < 0.05
+
+
+@pytest.mark.parametrize("name", LAG_AWARE)
+def test_knowing_of_the_lag_is_worth_a_lot_where_there_is_one(name):
+    env = Heli3DOFEnv(LAGGING, start_spread_deg=5.0)
+    aware, papers = (
+        metrics([fly(env, policy, seed=seed) for seed in range(3)])
+        for policy in (make_policy(name, REFERENCE), the_papers())
+    )
+    for ours, plain in zip(aware, papers):
+        assert ours.episode_return > plain.episode_return + 0.5
+
+
+@pytest.mark.parametrize("design", [lag_lqr, lag_lqi, kalman_lqr])
+def test_on_the_nominal_plant_a_model_without_lag_and_delay_flies_as_well_as_the_papers(design):
+    policy = design(REFERENCE, 0.02, HelicopterParameters(), actuator=IDEAL)
+    [flown] = metrics([fly(Heli3DOFEnv(), policy)])
+    assert max(flown.rms_error_deg) < 0.05
+
+
+@pytest.mark.parametrize(
+    ("name", "axis"), [(n, a) for n in ("lqi", "lag-lqi", "kalman-lqr") for a in ("elevation", "travel")]
+)
+def test_against_a_lasting_push_integrals_and_the_observer_leave_no_offset_but_the_papers_does(name, axis):
+    reference = hover(40.0)
+    rotors = Rotors() if name == "lqi" else LAGGING.rotors
+    pushed = Plant(rotors=rotors, disturbances=(Push(axis, acceleration=0.05, time=1.0, duration=100.0),))
+    row = {"travel": 0, "elevation": 2}[axis]
+    offsets = []
+    for controller in (name, "feedforward+tvlqr"):
+        flight = fly(Heli3DOFEnv(pushed, reference=reference), make_policy(controller, reference))
+        assert flight.duration == pytest.approx(40.0)
+        offsets.append(abs(math.degrees(flight.x[row, -1])))
+    assert offsets[0] < 0.05
+    assert offsets[1] > 0.2
 
 
 # As functions
 
 
 @pytest.mark.parametrize("name", POLICIES)
-def test_every_policy_gives_two_voltages_at_any_time_and_forgets_nothing_it_needs(name):
+def test_every_policy_gives_two_voltages_at_any_time(name):
     policy = make_policy(name, REFERENCE)
     policy.reset(np.random.default_rng(0))
     for t in (0.0, 0.02, 5.0, 10.0, 10.02):
         u = policy(t, REFERENCE(t)[0] + CORNER)
         assert u.shape == (2,)
         assert np.isfinite(u).all()
-        assert_array_equal(policy(t, REFERENCE(t)[0] + CORNER), u)
+
+
+@pytest.mark.parametrize("name", FORGETFUL)
+def test_a_policy_without_memory_answers_the_same_when_asked_again(name):
+    policy = make_policy(name, REFERENCE)
+    assert_array_equal(policy(5.0, CORNER), policy(5.0, CORNER))
+
+
+def answers(policy, measurements) -> np.ndarray:
+    """Voltages (2, ..., T) over the first control periods of a flight that is measured so (T, 6, ...)."""
+    policy.reset(np.random.default_rng(0))
+    return np.stack([policy(0.02 * k, measured) for k, measured in enumerate(measurements)], axis=-1)
+
+
+@pytest.mark.parametrize("name", POLICIES)
+def test_a_policy_that_flies_many_flies_each_as_it_would_alone(name):
+    policy = make_policy(name, REFERENCE)
+    t = 0.02 * np.arange(12)
+    flights = np.random.default_rng(5).normal(scale=0.05, size=(12, 6, 3)) + REFERENCE(t)[0].T[:, :, None]
+    together = answers(policy, flights)
+    assert together.shape == (2, 3, 12)
+    for k in range(3):
+        assert_allclose(together[:, k], answers(policy, flights[:, :, k]), rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", REMEMBERING)
+def test_after_a_reset_a_policy_remembers_nothing(name):
+    policy = make_policy(name, REFERENCE)
+    t = 0.02 * np.arange(8)
+    flight = REFERENCE(t)[0].T + CORNER
+    first = answers(policy, flight)
+    assert_array_equal(answers(policy, flight), first)
+
+
+def test_while_the_amplifier_saturates_nothing_is_integrated():
+    policy = make_policy("lqi", REFERENCE)
+    policy.reset(np.random.default_rng(0))
+    far = REFERENCE(0.0)[0] + np.array([0.0, 0.0, 1.0, 1.0, 0.0, 0.0])  # 57 degrees too low: more than 12 V
+    assert (policy(0.0, far) > 12.0).any()
+    assert_array_equal(policy.memory.integral, 0.0)
+    policy(0.02, REFERENCE(0.02)[0] + 0.1 * CORNER)
+    assert_allclose(policy.memory.integral, 0.02 * 0.1 * CORNER[[0, 2]], rtol=1e-6, atol=1e-9)
+
+
+def test_the_lag_aware_feedforward_leads_by_the_lag():
+    policy = lag_lqr(REFERENCE, 0.02, HelicopterParameters(), actuator=Actuator(lag=0.1, delay=0))
+    rotors = policy.u[:, 0]
+    for k in range(policy.x.shape[1] - 1):
+        assert_allclose(rotors, policy.u[:, k], atol=0.15)  # V
+        rotors = policy.command[:, k] + (rotors - policy.command[:, k]) * math.exp(-0.02 / 0.1)
+
+
+@pytest.mark.parametrize(("name", "weights"), [("lqi", TVLQR), ("lag-lqr", LQI), ("zero", TVLQR)])
+def test_weights_of_another_policy_are_refused(name, weights):
+    with pytest.raises(ValueError, match=f"weights = .*for '{name}'"):
+        make_policy(name, REFERENCE, weights=weights)
+
+
+@pytest.mark.parametrize("name", WEIGHTS)
+def test_the_weights_of_a_policy_are_those_it_is_made_with_by_default(name):
+    measured = REFERENCE(0.0)[0] + CORNER
+    default, given = make_policy(name, REFERENCE), make_policy(name, REFERENCE, weights=WEIGHTS[name])
+    assert_array_equal(default(0.0, measured), given(0.0, measured))
 
 
 @pytest.mark.parametrize("name", ["open-loop", "feedforward+tvlqr"])

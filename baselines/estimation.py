@@ -1,0 +1,131 @@
+"""What a controller may assume beyond (3): rotors that lag, a delay, and disturbances that it has to estimate.
+
+Controllers know one nominal actuator, not the plant's draw. `predict` simulates it, which tells the rotor speeds that
+nobody measures and bridges the delay (a Smith predictor in state space: Åström and Wittenmark, Computer-Controlled
+Systems, 3rd ed., Section 5.4). `kalman_gains` are those of a Kalman filter on the three angles, with the accelerations
+that (3) does not explain as three more states (Anderson and Moore, Optimal Filtering, Chapters 3 and 5);
+`accommodated` is what a reference becomes that has to live with them.
+"""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from heli_gym.model import dynamics, linearise, rk4_step, thrust, virtual_input
+from heli_gym.parameters import HelicopterParameters
+
+ANGLES = (0, 2, 4)  # in (44)
+RATES = (1, 3, 5)
+ENCODER_NOISE = 4e-4  # rad, standard deviation: the rounding of 4096 counts per revolution, 2 pi / 4096 / sqrt(12)
+START_DEVIATIONS = (0.05, 0.05, 0.2)  # of angles (rad), rates (rad/s) and disturbances (rad/s²), before a flight
+LEAST_LIFT = 0.2  # N, of the 0.6 N of hover, from which on disturbances are outweighed by a tilt
+
+
+class Actuator(NamedTuple):
+    """From a voltage that is asked for to a thrust."""
+
+    lag: float = 0.1  # s, first order, of the rotor speed: about the middle of the range of the plant `lab`
+    delay: int = 1  # control periods
+
+
+IDEAL = Actuator(0.0, 0)
+
+
+def turned(w: Any, u: Any, lag: float, time: float) -> Any:
+    """Rotor speeds (2, ...), as voltages in V, a time in s after they were w and the voltages u were switched on."""
+    return u + (w - u) * math.exp(-time / lag) if lag else u
+
+
+def predict(
+    x: Any, w: Any, u: Any, disturbance: Any, dt: float, lag: float, parameters: HelicopterParameters
+) -> tuple[np.ndarray, Any]:
+    """State (6, ...) and rotor speeds (2, ...) after dt seconds at the voltages u (2, ...), by one Runge-Kutta step.
+
+    The disturbance (3, ...) in rad/s² adds to the accelerations of travel, elevation and pitch.
+    """
+    inputs = tuple(virtual_input(thrust(turned(w, u, lag, share * dt), parameters)) for share in (0.0, 0.5, 1.0))
+    return np.stack(rk4_step(disturbed, x, inputs, dt, disturbance, parameters)), turned(w, u, lag, dt)
+
+
+def disturbed(x: Any, v: Any, disturbance: Any, parameters: HelicopterParameters) -> tuple:
+    """Equation (3) with more accelerations (3, ...) in rad/s²."""
+    dq1, ddq1, dq2, ddq2, dq3, ddq3 = dynamics(x, v, parameters)
+    on_travel, on_elevation, on_pitch = disturbance
+    return dq1, ddq1 + on_travel, dq2, ddq2 + on_elevation, dq3, ddq3 + on_pitch
+
+
+def discretised(A: np.ndarray, B: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:
+    """Transitions (K, n, n) and (K, n, m) over dt seconds of the systems A (K, n, n), B (K, n, m) with held inputs.
+
+    The Taylor series of the exponential up to order four, which is what Runge-Kutta of order four gives.
+    """
+    n, m = B.shape[1:]
+    term = np.broadcast_to(np.eye(n + m), (len(A), n + m, n + m))
+    generator = np.zeros_like(term)
+    generator[:, :n] = np.concatenate((A, B), axis=2)
+    total = term
+    for k in range(1, 5):
+        term = dt / k * generator @ term
+        total = total + term
+    return total[:, :n, :n], total[:, :n, n:]
+
+
+class Noise(NamedTuple):
+    """Intensities of what drives the states of the Kalman filter."""
+
+    travel_disturbance: float  # rad/s² per sqrt(s): the random walk of each disturbance
+    elevation_disturbance: float
+    pitch_disturbance: float
+    acceleration: float  # rad/s per sqrt(s): white acceleration, on every axis
+
+
+def kalman_gains(x: np.ndarray, v: np.ndarray, dt: float, parameters: HelicopterParameters, noise: Noise) -> np.ndarray:
+    """Gains (9, 3, K) from the innovations of the angles to the states and disturbances, along a reference.
+
+    The reference is x (6, K), v (2, K), dt seconds apart. The filter's states are (44) and three accelerations in
+    rad/s², random walks; its covariances follow from (3), linearised along the reference.
+    """
+    A = np.moveaxis(linearise(x, v, parameters)[0], -1, 0)
+    extended = np.zeros((len(A), 9, 9))
+    extended[:, :6, :6] = A
+    extended[:, RATES, (6, 7, 8)] = 1.0
+    transitions, _ = discretised(extended, np.zeros((len(A), 9, 1)), dt)
+    drive = np.zeros((9, 6))
+    drive[RATES, (0, 1, 2)] = noise.acceleration
+    drive[(6, 7, 8), (3, 4, 5)] = noise[:3]
+    # the noise of a period, by the trapezoidal rule: a random walk of the acceleration is felt in rate and angle too
+    driven = transitions @ drive
+    process = 0.5 * dt * (drive @ drive.T + driven @ driven.transpose(0, 2, 1))
+    on_angles, on_rates, on_disturbances = START_DEVIATIONS
+    P = np.diag([on_angles**2, on_rates**2] * 3 + [on_disturbances**2] * 3)
+    gains = np.empty((len(A), 9, 3))
+    for k in range(len(A)):
+        S = P[np.ix_(ANGLES, ANGLES)] + ENCODER_NOISE**2 * np.eye(3)
+        L = gains[k] = np.linalg.solve(S, P[ANGLES, :]).T
+        P = P - L @ P[ANGLES, :]
+        P = transitions[k] @ P @ transitions[k].T + process[k]
+        P = 0.5 * (P + P.T)
+    return np.moveaxis(gains, 0, -1)
+
+
+def accommodated(
+    x: Any, v: Any, disturbance: Any, pitch_limits: tuple[float, float], parameters: HelicopterParameters
+) -> tuple[np.ndarray, np.ndarray]:
+    """The reference x (6, ...), v (2, ...) with the pitch and the thrusts that also outweigh a disturbance (3, ...).
+
+    In (3a) and (3b) the thrust is a vector, v1 (sin q3, cos q3). To it is added what balances the disturbances of
+    travel and elevation, which only a tilt can do for travel; the thrust difference holds the tilt, by (3c). The pitch
+    stays within its limits, and as upright as if there were some lift where there is none. Travel, elevation and all
+    rates are those of the reference.
+    """
+    q1, dq1, q2, dq2, q3, dq3 = x
+    v1, v2 = v
+    on_travel, on_elevation, on_pitch = disturbance
+    p = parameters
+    sideways = v1 * np.sin(q3) - on_travel / (p.b1 * np.cos(q2))
+    upwards = v1 * np.cos(q3) - on_elevation / p.b2
+    tilt = np.clip(np.arctan2(sideways, np.maximum(upwards, LEAST_LIFT)), *pitch_limits)
+    held = v2 - (on_pitch + p.a3 * np.cos(q2) * (np.sin(tilt) - np.sin(q3))) / p.b3
+    target = np.stack(np.broadcast_arrays(q1, dq1, q2, dq2, tilt, dq3))
+    return target, np.stack(np.broadcast_arrays(np.hypot(sideways, upwards), held))
