@@ -1,0 +1,37 @@
+"""An actor that sees what a controller sees, and a critic that also sees the plant.
+
+The critic only serves training, where the plant's draw is known (Pinto et al., "Asymmetric actor critic for image-based
+robot learning", 2018): what it explains is no longer noise in the actor's gradient.
+"""
+
+from typing import Any
+
+import torch
+from stable_baselines3.common.policies import ActorCriticPolicy
+from stable_baselines3.common.torch_layers import MlpExtractor
+
+
+class AsymmetricNetworks(MlpExtractor):
+    """The hidden layers; those of the actor read the first `seen` features only."""
+
+    def __init__(self, features: int, seen: int, *args: Any, **kwargs: Any) -> None:
+        super().__init__(features, *args, **kwargs)
+        self.seen = seen
+        self.policy_net = MlpExtractor(seen, *args, **kwargs).policy_net
+
+    def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
+        """From features (N, features) to the last hidden layer."""
+        return self.policy_net(features[:, : self.seen])
+
+
+class AsymmetricPolicy(ActorCriticPolicy):
+    """A policy for PPO, whose actor reads the first `seen` features of an observation only."""
+
+    def __init__(self, *args: Any, seen: int, **kwargs: Any) -> None:
+        self.seen = seen
+        super().__init__(*args, **kwargs)
+
+    def _build_mlp_extractor(self) -> None:
+        self.mlp_extractor = AsymmetricNetworks(
+            self.features_dim, self.seen, net_arch=self.net_arch, activation_fn=self.activation_fn, device=self.device
+        )

@@ -1,0 +1,78 @@
+"""What a training run leaves behind, so that it can go on after it was interrupted at any moment.
+
+A checkpoint is one safetensors file: tensors, and in its metadata a tree that says where they belong. It is written
+atomically beside a file with its SHA-256; the last two are kept.
+"""
+
+import json
+import logging
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import torch
+from safetensors.torch import load, save
+
+from heli_gym.storage import atomic_write
+
+KEPT = 2
+FORMAT = "{:06d}"
+
+
+def split(value: Any, tensors: dict[str, torch.Tensor]) -> Any:
+    """The value as plain JSON, its tensors having been moved to `tensors`."""
+    if isinstance(value, torch.Tensor):
+        name = str(len(tensors))
+        tensors[name] = value.detach().clone().contiguous()
+        return {"tensor": name}
+    if isinstance(value, dict):
+        return {"items": [[key, split(item, tensors)] for key, item in value.items()]}
+    if isinstance(value, list | tuple):
+        return {"list": [split(item, tensors) for item in value]}
+    return {"value": value}
+
+
+def join(tree: Any, tensors: dict[str, torch.Tensor]) -> Any:
+    """The inverse of `split`; tuples come back as lists."""
+    if "tensor" in tree:
+        return tensors[tree["tensor"]]
+    if "items" in tree:
+        return {key: join(item, tensors) for key, item in tree["items"]}
+    return [join(item, tensors) for item in tree["list"]] if "list" in tree else tree["value"]
+
+
+def save_checkpoint(folder: Path, number: int, state: dict[str, Any]) -> None:
+    """Writes the state of a run, and removes all checkpoints but the last two."""
+    tensors: dict[str, torch.Tensor] = {}
+    tree = split(state, tensors)
+    data = save(tensors, metadata={"tree": json.dumps(tree)})
+    stem = folder / FORMAT.format(number)
+    with atomic_write(stem.with_suffix(".safetensors")) as file:
+        file.write(data)
+    with atomic_write(stem.with_suffix(".sha256")) as file:
+        file.write((sha256(data).hexdigest() + "\n").encode())
+    for old in sorted(folder.glob("*.safetensors"))[:-KEPT]:
+        old.unlink()
+        old.with_suffix(".sha256").unlink(missing_ok=True)
+
+
+def read_checkpoint(path: Path) -> dict[str, Any]:
+    """The state that `save_checkpoint` wrote. Raises ValueError if the file is damaged."""
+    try:
+        data, digest = path.read_bytes(), path.with_suffix(".sha256").read_text().strip()
+    except OSError as error:
+        raise ValueError(f"checkpoint {path}: {error}") from error
+    if sha256(data).hexdigest() != digest:
+        raise ValueError(f"checkpoint {path} is damaged: its SHA-256 is not the one beside it")
+    length = int.from_bytes(data[:8], "little")
+    return join(json.loads(json.loads(data[8 : 8 + length])["__metadata__"]["tree"]), load(data))
+
+
+def last_checkpoint(folder: Path) -> dict[str, Any] | None:
+    """The last state that can be read, if there is any; what is damaged is named and skipped."""
+    for path in sorted(folder.glob("*.safetensors"), reverse=True):
+        try:
+            return read_checkpoint(path)
+        except ValueError as error:
+            logging.warning("%s; the one before it is used", error)
+    return None

@@ -1,0 +1,313 @@
+"""`heli-train`: an agent of Stable-Baselines3 learns to correct a controller, or to fly alone.
+
+Read it from top to bottom: the settings; the helicopters and the agent; training, in chunks after each of which the
+agent is validated and the run is saved; what is left in the folder of the run:
+
+    settings.json   what was asked for
+    best.*          the network with the best return on the validation helicopters: what `heli-evaluate` can fly
+    history.json    the validation after each chunk
+    checkpoints/    the last two states of the run, to go on from with --resume
+    events.*        TensorBoard's
+"""
+
+import json
+import sys
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+import torch
+import tyro
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+from stable_baselines3 import PPO, SAC, TD3
+from stable_baselines3.common.base_class import BaseAlgorithm
+from stable_baselines3.common.logger import configure
+from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
+from stable_baselines3.common.utils import set_random_seed
+
+from baselines.flight import fly_many
+from baselines.metrics import Metrics, flight_metrics
+from baselines.policies import POLICIES, make_policy
+from baselines.residual import Learned, Network, ResidualPolicy, save_learned
+from heli_gym.env import find_reference
+from heli_gym.plant import HELD_OUT_SEED
+from heli_gym.storage import atomic_write, check_folder
+from heli_gym.vector_env import Heli3DOFVectorEnv
+from train.asymmetric import AsymmetricPolicy
+from train.checkpoint import last_checkpoint, save_checkpoint
+from train.vec_env import ResidualVecEnv
+
+START_SPREAD_DEG = 5.0
+VALIDATION_SEED = HELD_OUT_SEED // 2  # training's seeds stay below, those of evaluations above
+SCRATCH = "middle-voltage"  # the base of an agent that flies alone, from the middle of the voltages
+
+
+@dataclass(frozen=True)
+class Args:
+    """Train an agent."""
+
+    algo: Literal["ppo", "sac", "td3", "tqc"] = "ppo"
+    plant: str = "lab"  # that is drawn anew in every flight: lab or rigid
+    mode: Literal["residual", "scratch"] = "residual"  # whether the agent corrects the base policy or flies alone
+    base: str = "kalman-lqr"  # the policy that is corrected
+    scale: float = 3.0  # V, the greatest correction
+    objective: Literal["tracking", "environment"] = "tracking"  # travel, elevation and cost, or the whole reward
+    reference: str = "travel-360"
+    seed: int = 0
+    steps: int = 2_500_000  # control periods that are flown in training, of all helicopters together
+    envs: int = 512  # helicopters at once
+    chunk: int = 256  # control periods of each between two validations
+    hidden: tuple[int, ...] = (64, 64)  # neurons of the layers of the networks
+    learning_rate: float = 1e-3  # at first; it falls linearly to a tenth
+    gamma: float = 0.995  # discount per control period
+    gae_lambda: float = 0.98  # PPO: of the advantage estimate; what a voltage does to travel takes a second to be seen
+    log_std: float = -3.0  # PPO: logarithm of the standard deviation of the exploration's weights, at first
+    hold: int = 16  # PPO: control periods for which the exploration keeps its direction
+    rollout: int = 64  # PPO: control periods of each helicopter between two updates
+    batch: int = 2048  # PPO: transitions of a gradient step
+    epochs: int = 5  # PPO: passes over the transitions of an update
+    buffer: int = 300_000  # SAC, TD3, TQC: transitions that are remembered
+    validation: int = 64  # helicopters on which the agent is judged
+    out: Path = Path("out/train")  # folder, a run being one in it
+    resume: bool = False  # go on with the run of the same settings, if it was interrupted
+    progress: bool = True  # whether to show a bar
+
+
+def check(args: Args) -> None:
+    """Raises ValueError for settings that make no sense."""
+    for name in ("steps", "envs", "chunk", "rollout", "batch", "epochs", "buffer", "validation"):
+        if getattr(args, name) < 1:
+            raise ValueError(f"{name} = {getattr(args, name)}: at least 1 is needed")
+    if args.base not in POLICIES:
+        raise ValueError(f"base = {args.base!r}: one of {', '.join(map(repr, POLICIES))} is needed")
+    if not 0 <= args.seed < 10_000:
+        raise ValueError(f"seed = {args.seed}: 0 to 9999 is needed")
+    if args.chunk % args.rollout:
+        raise ValueError(f"chunk = {args.chunk}: a multiple of rollout = {args.rollout} is needed")
+    check_folder("out", args.out)
+
+
+def run_folder(args: Args) -> Path:
+    """Where the run with these settings leaves what it leaves."""
+    base = args.base if args.mode == "residual" else "scratch"
+    return args.out / f"{args.algo}-{args.plant}-{base}-{args.seed}"
+
+
+# The helicopters and the agent
+
+
+def correcting(args: Args, reference: Any, network: Any = None) -> ResidualPolicy:
+    """The policy that is learnt, with a network of its own or with the agent in its place."""
+    if args.mode == "scratch":
+        return ResidualPolicy(make_policy(SCRATCH, reference), reference, network, 6.0)
+    return ResidualPolicy(make_policy(args.base, reference), reference, network, args.scale)
+
+
+def make_agent(args: Args, helicopters: ResidualVecEnv) -> BaseAlgorithm:
+    """The agent, whose first actions are small: its last layer is near zero."""
+    common: dict[str, Any] = {
+        "learning_rate": args.learning_rate,
+        "gamma": args.gamma,
+        "seed": args.seed,
+        "device": "cpu",
+    }
+    networks: dict[str, Any] = {"net_arch": list(args.hidden), "activation_fn": torch.nn.Tanh}
+    if args.algo == "ppo":
+        return PPO(
+            AsymmetricPolicy,
+            helicopters,
+            n_steps=args.rollout,
+            batch_size=args.batch,
+            n_epochs=args.epochs,
+            gae_lambda=args.gae_lambda,
+            # White noise at 50 Hz hardly moves a helicopter: explore with one direction for a while.
+            use_sde=True,
+            sde_sample_freq=args.hold,
+            policy_kwargs={**networks, "log_std_init": args.log_std, "seen": helicopters.seen},
+            **common,
+        )
+    # one gradient step per control period of all helicopters, with a batch that is large enough for them
+    off_policy = {"buffer_size": args.buffer, "batch_size": 1024, "train_freq": 1, "gradient_steps": 1}
+    kinds: dict[str, Callable] = {"sac": SAC, "td3": TD3}
+    if args.algo == "tqc":
+        from sb3_contrib import TQC
+
+        kinds["tqc"] = TQC
+    agent = kinds[args.algo](
+        "MlpPolicy", helicopters, policy_kwargs=networks, learning_starts=0, **off_policy, **common
+    )
+    with torch.no_grad():
+        last = agent.actor.mu if args.algo != "td3" else agent.actor.mu[-2]
+        last.weight.mul_(0.01), last.bias.mul_(0.01)
+        if args.algo != "td3":
+            agent.actor.log_std.weight.mul_(0.01), agent.actor.log_std.bias.fill_(args.log_std)
+    return agent
+
+
+def network_of(agent: BaseAlgorithm) -> Network:
+    """What the agent does without exploring, for numpy."""
+    policy: Any = agent.policy
+    if isinstance(agent, PPO):
+        modules, squashes = [*policy.mlp_extractor.policy_net, policy.action_net], False
+    elif isinstance(agent, TD3):
+        modules, squashes = [*policy.actor.mu], True
+    else:
+        modules, squashes = [*policy.actor.latent_pi, policy.actor.mu], True
+    layers = [module for module in modules if isinstance(module, torch.nn.Linear)]
+    weights, biases = (
+        [getattr(layer, name).detach().numpy().astype(float) for layer in layers] for name in ("weight", "bias")
+    )
+    return Network(tuple(weights), tuple(biases), squashes)
+
+
+def validate(args: Args, agent: BaseAlgorithm | None, envs: Heli3DOFVectorEnv, seed: int) -> dict[str, Any]:
+    """Means over flights of the helicopters, seeded from `seed` on, with the agent or, without one, the base alone."""
+    reference = envs.references[0]
+    network = network_of(agent) if agent else lambda features: np.zeros((2, *features.shape[1:]))
+    flights = fly_many(envs, correcting(args, reference, network), seed)
+    metrics = [flight_metrics(flight, reference, envs.voltage_limits) for flight in flights]
+    return {name: np.mean([getattr(m, name) for m in metrics], axis=0).tolist() for name in Metrics._fields}
+
+
+# Training
+
+
+def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
+    """Trains, or goes on, and returns the folder of the run; `stop_after` so many chunks, as if interrupted."""
+    check(args)
+    folder = run_folder(args)
+    (folder / "checkpoints").mkdir(parents=True, exist_ok=True)
+    torch.set_num_threads(1)
+    reference = find_reference(args.reference)
+    kinds: dict[str, Any] = {"plant": args.plant, "reference": reference, "start_spread_deg": START_SPREAD_DEG}
+    helicopters = ResidualVecEnv(
+        Heli3DOFVectorEnv(args.envs, autoreset_mode="SameStep", **kinds),
+        correcting(args, reference),
+        args.objective,
+        privileged=args.algo == "ppo",
+    )
+    judges = Heli3DOFVectorEnv(args.validation, **kinds)
+    agent = make_agent(args, helicopters)
+    agent.set_logger(configure(str(folder), ["tensorboard"]))
+
+    history: list[dict[str, Any]] = []
+    checkpoint = last_checkpoint(folder / "checkpoints") if args.resume else None
+    if checkpoint:
+        history = restore(agent, checkpoint)
+    else:
+        history.append({"steps": 0, **validate(args, None, judges, VALIDATION_SEED)})
+        write_json(folder / "settings.json", {**asdict(args), "out": str(args.out)})
+        best_so_far = -np.inf
+    best_so_far = max((row["episode_return"] for row in history[1:]), default=-np.inf)
+
+    chunks = -(-args.steps // (args.chunk * args.envs))
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=console, disable=not args.progress) as progress:
+        bar = progress.add_task(f"{folder.name}", total=chunks, completed=len(history) - 1)
+        for number in range(len(history) - 1, chunks if stop_after is None else min(chunks, stop_after)):
+            learn(args, agent, helicopters, number, chunks)
+            row = {"steps": agent.num_timesteps, **validate(args, agent, judges, VALIDATION_SEED)}
+            history.append(row)
+            if row["episode_return"] > best_so_far:
+                best_so_far = row["episode_return"]
+                save_learned(folder / "best", learned(args, helicopters), network_of(agent))
+            for name, value in row.items():
+                agent.logger.record(f"validation/{name}", np.mean(value))
+            agent.logger.dump(agent.num_timesteps)
+            write_json(folder / "history.json", history)
+            save_checkpoint(folder / "checkpoints", number, state_of(agent, history))
+            travel, elevation, _ = row["rms_error_deg"]
+            progress.update(
+                bar,
+                advance=1,
+                description=f"{folder.name}: return {row['episode_return']:.2f} s, RMS {travel:.2f}°, {elevation:.2f}°",
+            )
+    return folder
+
+
+def learn(args: Args, agent: BaseAlgorithm, helicopters: ResidualVecEnv, number: int, chunks: int) -> None:
+    """One chunk. What is random in it follows from the seed and the chunk's number alone.
+
+    So an interrupted run can go on with the chunk in which it was interrupted, and ends with the same weights.
+    """
+    seed = 1000 * args.seed + number
+    set_random_seed(seed)
+    agent.action_space.seed(seed)
+    helicopters.seed(seed * args.envs)
+    agent._last_obs = None  # Stable-Baselines3 then resets the helicopters
+    rate = args.learning_rate * (1.0 - 0.9 * number / chunks)
+    agent.lr_schedule = lambda _: rate
+    agent.learn(args.chunk * args.envs, reset_num_timesteps=False, log_interval=10**9)
+
+
+def state_of(agent: BaseAlgorithm, history: list[dict[str, Any]]) -> dict[str, Any]:
+    """All that the rest of a run depends on."""
+    _, variables = agent._get_torch_save_params()
+    state = {
+        "history": json.dumps(history),
+        "parameters": agent.get_parameters(),
+        "variables": {name: getattr(agent, name) for name in variables if getattr(agent, name) is not None},
+        "steps": agent.num_timesteps,
+        "updates": agent._n_updates,
+    }
+    if isinstance(agent, OffPolicyAlgorithm):
+        buffer = agent.replay_buffer
+        state["buffer"] = {name: torch.from_numpy(getattr(buffer, name)) for name in BUFFER}
+        state["position"], state["full"] = buffer.pos, buffer.full
+    return state
+
+
+BUFFER = ("observations", "next_observations", "actions", "rewards", "dones", "timeouts")
+
+
+def restore(agent: BaseAlgorithm, state: dict[str, Any]) -> list[dict[str, Any]]:
+    """Puts the agent into this state, and returns the history of its run."""
+    agent.set_parameters(state["parameters"])
+    for name, value in state["variables"].items():
+        getattr(agent, name).data.copy_(value)
+    agent.num_timesteps, agent._n_updates = state["steps"], state["updates"]
+    if isinstance(agent, OffPolicyAlgorithm):
+        for name, value in state["buffer"].items():
+            getattr(agent.replay_buffer, name)[:] = value.numpy()
+        agent.replay_buffer.pos, agent.replay_buffer.full = state["position"], state["full"]
+    return json.loads(state["history"])
+
+
+def learned(args: Args, helicopters: ResidualVecEnv) -> Learned:
+    """What is stored beside the network."""
+    return Learned(
+        base=args.base if args.mode == "residual" else SCRATCH,
+        scale=helicopters.policy.scale,
+        reference=args.reference,
+        plant=args.plant,
+        control_period=helicopters.envs.control_period,
+        features=helicopters.seen,
+        hidden=args.hidden,
+        squashes=args.algo != "ppo",
+    )
+
+
+def write_json(path: Path, value: Any) -> None:
+    """Atomically."""
+    with atomic_write(path) as file:
+        file.write((json.dumps(value, indent=2, default=str) + "\n").encode())
+
+
+def main() -> None:
+    """The command `heli-train`."""
+    args = tyro.cli(Args, description=__doc__)
+    console = Console()
+    try:
+        folder = train(args, console)
+    except ValueError as error:
+        sys.exit(f"heli-train: {error}")
+    first, *_, last = json.loads((folder / "history.json").read_text())
+    console.print(f"validation: return {first['episode_return']:.2f} s before, {last['episode_return']:.2f} s after")
+    console.print(f"{folder}/best.safetensors: the best network; heli-evaluate --policies {folder}/best.json flies it")
+
+
+if __name__ == "__main__":
+    main()
