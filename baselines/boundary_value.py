@@ -1,5 +1,6 @@
 """Sections III-B and III-D: the boundary value problems (14) and (38) of a maneuver, and their solutions."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -10,6 +11,7 @@ from scipy.integrate import solve_bvp
 from baselines.normal_form import ddy1_bounds, ddy2_bounds, feedforward, internal_dynamics, thrust_bounds
 from baselines.saturation import Saturation, ddy2, psi1, psi1_inverse, psi2_bounds, ramp
 from heli_gym.model import fan_thrusts, voltage
+from heli_gym.parameters import HelicopterParameters
 from heli_gym.trajectory import Maneuver, Trajectory
 
 KAPPA = (2, 4)  # (40)
@@ -111,11 +113,38 @@ class Motion(NamedTuple):
     free2: np.ndarray
 
 
+def constrained_motion(Y: Any, phi: Any, pitch_bounds: Any, f: Any, parameters: HelicopterParameters) -> Motion:
+    """The saturated accelerations and the inputs of (38): (25), (30)-(34), (37), then (13).
+
+    Y (6, ...) are the states, phi (2, ...) the new inputs, f the bounds of the thrusts.
+    """
+    y1, _, xi1, xi2, _, _ = Y
+    phi1, phi2 = phi
+    pitch = psi1(xi1, pitch_bounds)
+    y2 = pitch.value
+    dxi2 = ramp(phi2, psi2_bounds(ddy2_bounds(y1, y2, f, parameters), pitch, xi2))
+    ddy2_ = ddy2(pitch, xi2, dxi2)
+    _, v2 = feedforward(y1, y2, 0.0, ddy2_, parameters)
+    ddy1 = ramp(phi1, ddy1_bounds(y1, y2, v2, f, parameters))
+    v1, _ = feedforward(y1, y2, ddy1, ddy2_, parameters)
+    return Motion(pitch, dxi2, ddy1, v1, v2, ddy1 == phi1, dxi2 == phi2)
+
+
+def constrained_rhs(Y: Any, motion: Motion, parameters: HelicopterParameters) -> tuple:
+    """Time derivative of the states Y (6, ...) of (38)."""
+    y1, dy1, _, xi2, _, deta = Y
+    return dy1, motion.ddy1, xi2, motion.dxi2, deta, internal_dynamics(y1, motion.pitch.value, motion.ddy1, parameters)
+
+
 @dataclass(frozen=True)
 class ConstrainedProblem:
-    """The boundary value problem (38) of a maneuver: Y = (y1, dy1, xi1, xi2, eta, deta), p = (p1, p2) of (39)."""
+    """The boundary value problem (38) of a maneuver: Y = (y1, dy1, xi1, xi2, eta, deta), p = (p1, p2) of (39).
+
+    `check` is called in the course of solving it, which it ends by what it raises.
+    """
 
     maneuver: Maneuver
+    check: Callable[[], None] = lambda: None
 
     @property
     def pitch_bounds(self) -> tuple[float, float]:
@@ -130,27 +159,17 @@ class ConstrainedProblem:
         return basis[0], basis[1]
 
     def motion(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> Motion:
-        """The saturated accelerations and the inputs of (38): (25), (30)-(34), (37), then (13)."""
-        parameters, limits = self.maneuver.parameters, self.maneuver.limits
-        f = thrust_bounds(limits, parameters)
-        y1, _, xi1, xi2, _, _ = Y
+        """The saturated accelerations and the inputs of (38) at the times t, under the ansatz (39)."""
         basis1, basis2 = self.ansatz(t)
-        phi1, phi2 = p[: KAPPA[0]] @ basis1, p[KAPPA[0] :] @ basis2
-        pitch = psi1(xi1, self.pitch_bounds)
-        y2 = pitch.value
-        dxi2 = ramp(phi2, psi2_bounds(ddy2_bounds(y1, y2, f, parameters), pitch, xi2))
-        ddy2_ = ddy2(pitch, xi2, dxi2)
-        _, v2 = feedforward(y1, y2, 0.0, ddy2_, parameters)
-        ddy1 = ramp(phi1, ddy1_bounds(y1, y2, v2, f, parameters))
-        v1, _ = feedforward(y1, y2, ddy1, ddy2_, parameters)
-        return Motion(pitch, dxi2, ddy1, v1, v2, ddy1 == phi1, dxi2 == phi2)
+        phi = p[: KAPPA[0]] @ basis1, p[KAPPA[0] :] @ basis2
+        f = thrust_bounds(self.maneuver.limits, self.maneuver.parameters)
+        with np.errstate(divide="ignore"):  # where psi1 is so close to its bound that its slope underflows
+            return constrained_motion(Y, phi, self.pitch_bounds, f, self.maneuver.parameters)
 
     def rhs(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> np.ndarray:
         """Time derivative (6, K) of Y."""
-        y1, dy1, _, xi2, _, deta = Y
-        motion = self.motion(t, Y, p)
-        ddeta = internal_dynamics(y1, motion.pitch.value, motion.ddy1, self.maneuver.parameters)
-        return np.stack((dy1, motion.ddy1, xi2, motion.dxi2, deta, ddeta))
+        self.check()
+        return np.stack(constrained_rhs(Y, self.motion(t, Y, p), self.maneuver.parameters))
 
     def rhs_jacobian(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Derivatives (6, 6, K) and (6, 6, K) of `rhs` with respect to Y and p.

@@ -12,10 +12,10 @@ import tyro
 from rich.console import Console
 
 from baselines import figures
-from baselines.planner import InfeasibleManeuver, plan
+from baselines.planner import InfeasibleManeuver, plan, plan_fastest
 from heli_gym.parameters import Limits
 from heli_gym.storage import check_folder
-from heli_gym.trajectory import Maneuver
+from heli_gym.trajectory import Maneuver, Trajectory
 
 
 @dataclass
@@ -30,9 +30,23 @@ class Args:
     pitch_limit_deg: float = 50.0  # on both sides
     u_min: float = 1.0  # V
     u_max: float = 11.0  # V
-    method: Literal["paper"] = "paper"
+    method: Literal["auto", "paper", "spline", "flat", "collocation"] = "auto"  # the last needs the extra ocp
+    fastest: bool = False  # whether to look for the shortest duration, up to the one given
+    reserve: float = 0.0  # share of the windows of voltages and pitch that the fastest plan leaves to the feedback
+    time_limit: float | None = None  # s, for planning
     out: Path = Path("out/plan.npz")  # where the plan goes; its picture goes beside it
     figure: bool = True  # whether to draw the picture
+
+
+def planned(maneuver: Maneuver, args: Args) -> Trajectory:
+    """The plan that the arguments ask for."""
+    if args.fastest:
+        return plan_fastest(maneuver, args.method, args.reserve, args.time_limit)
+    if args.reserve:
+        raise ValueError(
+            f"reserve = {args.reserve!r}: only the fastest plan has one; tighter limits are for the others"
+        )
+    return plan(maneuver, args.method, args.time_limit)
 
 
 def main(args: Args | None = None) -> None:
@@ -48,15 +62,15 @@ def main(args: Args | None = None) -> None:
             duration=args.duration,
             limits=Limits(args.u_min, args.u_max, -radians(args.pitch_limit_deg), radians(args.pitch_limit_deg)),
         )
-        trajectory = plan(maneuver, args.method)
+        trajectory = planned(maneuver, args)
         console.print(f"{maneuver}: planned in {time.perf_counter() - began:.2f} s")
         trajectory.save(args.out)
-    except (ValueError, InfeasibleManeuver) as error:
+    except (ValueError, ImportError, InfeasibleManeuver) as error:
         sys.exit(f"heli-plan: {error}")
     pitch = np.degrees(trajectory.x[4])
     console.print(
-        f"pitch {pitch.min():.2f}° to {pitch.max():.2f}°, voltages {trajectory.u.min():.2f} V to "
-        f"{trajectory.u.max():.2f} V\nplan: {args.out}"
+        f"{trajectory.duration:.3f} s, pitch {pitch.min():.2f}° to {pitch.max():.2f}°, voltages "
+        f"{trajectory.u.min():.2f} V to {trajectory.u.max():.2f} V\nplan: {args.out}"
     )
     if args.figure:
         picture = args.out.with_suffix(".png")

@@ -40,15 +40,18 @@ def psi1_inverse(y: Any, bounds: tuple[float, float]) -> Any:
 
 def ramp(v: Any, bounds: tuple[Any, Any]) -> Any:
     """Equations (34) and (37): psi2 and psi3, the identity between the bounds."""
-    return np.clip(v, *bounds)
+    low, high = bounds
+    return np.minimum(np.maximum(v, low), high)
 
 
 def psi2_bounds(ddy2_bounds: tuple[Any, Any], saturation: Saturation, xi2: Any) -> tuple[Any, Any]:
-    """Equation (33): bounds of d xi2/dt that keep the pitch's second derivative within (23)."""
+    """Equation (33): bounds of d xi2/dt that keep the pitch's second derivative within (23).
+
+    Far out the slope underflows, and nothing bounds d xi2/dt: numpy then warns of a division by zero.
+    """
     ddy2_min, ddy2_max = ddy2_bounds
     bend = saturation.curvature * xi2**2
-    with np.errstate(divide="ignore"):  # far out the slope underflows, and nothing bounds d xi2/dt
-        return (ddy2_min - bend) / saturation.slope, (ddy2_max - bend) / saturation.slope
+    return (ddy2_min - bend) / saturation.slope, (ddy2_max - bend) / saturation.slope
 
 
 def ddy2(saturation: Saturation, xi2: Any, dxi2: Any) -> Any:

@@ -1,16 +1,20 @@
 """Section III-E: the time-varying linear quadratic regulator (46)-(51)."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.linalg import expm, solve_continuous_are
 
+from baselines.riccati import integrate, jacobians_along
 from heli_gym.model import hover_input, linearise, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.trajectory import Trajectory
 
-STEP = 0.01  # s, at most, of the Riccati integration
+STEP = 0.04  # s, at most, of the Riccati integration; there are gains every half of it
+STIFF = 1e-4  # estimated relative error of a step from which on the integration is done once more, for stiff equations
+SYMMETRY = 1e-5  # relative difference of two entries of a symmetric matrix, at most
 GAUSS = 0.5 - np.sqrt(3.0) / 6.0, 0.5 + np.sqrt(3.0) / 6.0  # where each step evaluates the linearisation
 
 # The weights of (49), which the paper does not give: round numbers by Bryson's rule. Those that `python -m
@@ -51,9 +55,10 @@ def stationary_gain(
 def check_weight(name: str, weight: ArrayLike, size: int, definite: bool = False) -> np.ndarray:
     """The weight (size, size); raises ValueError unless it is symmetric and positive (semi)definite."""
     weight = np.asarray(weight, dtype=float)
-    if weight.shape != (size, size) or not np.isfinite(weight).all() or not np.allclose(weight, weight.T):
+    finite = weight.shape == (size, size) and np.isfinite(weight).all()
+    if not finite or (np.abs(weight - weight.T) > SYMMETRY * np.abs(weight)).any():
         raise ValueError(f"{name} = {weight}: a symmetric ({size}, {size}) matrix is needed")
-    least = np.linalg.eigvalsh(weight).min()
+    least = np.linalg.eigvalsh(weight)[0]
     rounding = 1e-12 * np.abs(weight).max()
     if least < -rounding or (definite and least <= rounding):
         kind = "positive definite" if definite else "positive semidefinite"
@@ -71,8 +76,8 @@ def riccati_gains(
     """Gains (51) along a reference, by the Riccati equation (50) integrated backwards from P(T) = M.
 
     The gains act on v, not on u: the model is linear in v, while the thrust map (2) is quadratic.
-    Integrated by the Magnus expansion of order four of the Hamiltonian system, which is exact where the linearisation
-    is constant, keeps P positive semidefinite and does not mind how stiff the weights make (50).
+    Integrated by compiled Runge-Kutta steps, or, where an estimate of their error says that the weights make (50) too
+    stiff for that, by a Magnus expansion.
 
     Args:
         reference: what is flown; its duration is T.
@@ -86,14 +91,31 @@ def riccati_gains(
     Q, R = check_weight("Q", Q, 6), check_weight("R", R, 2, definite=True)
     M = stationary_cost(reference.x[2, -1], parameters, Q, R) if M is None else check_weight("M", M, 6)
 
+    steps = math.ceil(reference.duration / STEP)
+    t = np.linspace(0.0, reference.duration, 2 * steps + 1)
+    x, u = reference(t)
+    J, rows, columns = jacobians_along(x, np.stack(virtual_input(thrust(u, parameters))), parameters)
+    with np.errstate(all="ignore"):  # where the weights make (50) stiff, these steps diverge
+        P, error = integrate(J, rows, columns, Q, R, M, t[2])
+    if not error < STIFF:
+        P = integrate_stiff(reference, parameters, Q, R, M, np.linspace(0.0, t[-1], 2 * len(t) - 1))[::2]
+    K = np.linalg.inv(R) @ J[:, :, 6:].transpose(0, 2, 1) @ P
+    return Gains(t, np.moveaxis(K, 0, -1), np.moveaxis(P, 0, -1))
+
+
+def integrate_stiff(reference, parameters, Q, R, M, t) -> np.ndarray:
+    """P (N, 6, 6) of (50) at the times t (N,).
+
+    By the Magnus expansion of order four of the Hamiltonian system, which is exact where the linearisation is constant,
+    keeps P positive semidefinite and does not mind how stiff the weights make (50).
+    """
+
     def linearised(times):
         x, u = reference(times)
         A, B = linearise(x, virtual_input(thrust(u, parameters)), parameters)
         return np.moveaxis(A, -1, 0), np.moveaxis(B, -1, 0)
 
-    steps = int(np.ceil(reference.duration / STEP))
-    t = np.linspace(0.0, reference.duration, steps + 1)
-    h = t[1]
+    h, steps = t[1], len(t) - 1
     early, late = (hamiltonian(linearised(t[:-1] + c * h), Q, R) for c in GAUSS)
     transitions = expm(-0.5 * h * (early + late) - np.sqrt(3.0) / 12.0 * h**2 * (late @ early - early @ late))
     P = np.empty((steps + 1, 6, 6))
@@ -102,9 +124,7 @@ def riccati_gains(
         XL = transitions[n - 1] @ np.concatenate((np.eye(6), P[n]))
         P[n - 1] = np.linalg.solve(XL[:6].T, XL[6:].T)
         P[n - 1] = 0.5 * (P[n - 1] + P[n - 1].T)
-    _, B = linearised(t)
-    K = np.linalg.solve(R, B.transpose(0, 2, 1) @ P)
-    return Gains(t, np.moveaxis(K, 0, -1), np.moveaxis(P, 0, -1))
+    return P
 
 
 def hamiltonian(linearisation: tuple[np.ndarray, np.ndarray], Q: np.ndarray, R: np.ndarray) -> np.ndarray:

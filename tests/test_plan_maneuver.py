@@ -60,6 +60,10 @@ def test_the_defaults_are_the_papers_maneuver(tmp_path, paper_plan):
         ({"pitch_limit_deg": 90.0}, "pitch"),
         ({"pitch_limit_deg": -50.0}, "pitch"),
         ({"method": "magic"}, "method = 'magic'"),
+        ({"method": "magic", "fastest": True}, "method = 'magic'"),
+        ({"reserve": 0.1}, r"reserve = 0\.1: only the fastest plan"),
+        ({"fastest": True, "reserve": 1.0}, r"reserve = 1\.0"),
+        ({"time_limit": 0.0}, r"time_limit = 0\.0"),
     ],
     ids=str,
 )
@@ -78,6 +82,16 @@ def test_what_cannot_be_planned_is_refused_with_what_would_work(tmp_path):
     said = re.search(r"heli-plan: no plan for .* in 1 s .* the shortest found takes ([\d.]+) s", str(refusal.value))
     assert 1.0 < float(said[1]) < 2.0
     assert os.listdir(tmp_path) == []
+
+
+def test_the_fastest_plan_is_faster_and_leaves_its_reserve(tmp_path, capsys):
+    out = tmp_path / "fastest.npz"
+    plan_maneuver.main(Args(fastest=True, reserve=0.2, figure=False, out=out))
+    saved = Trajectory.load(out)
+    assert 8.4 < saved.duration < 10.0
+    assert saved.limits == Limits()
+    assert 2.0 - 1e-6 <= saved.u.min() <= saved.u.max() <= 10.0 + 1e-6
+    assert f"{saved.duration:.3f} s" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("name", ["plan.txt", "plan"])

@@ -2,6 +2,7 @@
 
 import itertools
 import math
+import re
 import signal
 from contextlib import contextmanager
 from dataclasses import replace
@@ -12,8 +13,9 @@ from independent import TABLE_I, central_differences, equation_2, replay, shorte
 from numpy.testing import assert_allclose
 from scipy.optimize import root
 
-from baselines import InfeasibleManeuver, plan, plan_unconstrained
+from baselines import InfeasibleManeuver, plan, plan_fastest, plan_unconstrained, planner
 from baselines.boundary_value import FINE, ConstrainedProblem, solve_unconstrained
+from baselines.planner import FASTEST, METHODS
 from heli_gym import HelicopterParameters, Limits, Maneuver
 
 
@@ -42,9 +44,26 @@ MANEUVERS = {
 }
 
 
-@pytest.fixture(scope="module", params=MANEUVERS.values(), ids=MANEUVERS.keys())
+PLANNED = {
+    f"{name}, {method}": (method, maneuver)
+    for name, maneuver in MANEUVERS.items()
+    for method in ("paper", "spline")
+    if (name, method) != ("stay", "spline")  # of which there is nothing to compare
+}
+PLANNED |= {
+    "the paper's in more time, flat": ("flat", replace(Maneuver(), duration=12.0)),
+    "descend and turn, flat": ("flat", maneuver((0, -18), (45, 15), 14)),
+    "the paper's, collocation": ("collocation", Maneuver()),
+    "few volts, collocation": ("collocation", MANEUVERS["few volts"]),
+    "close to what is possible, auto": ("auto", replace(Maneuver(), duration=8.5)),
+    "little pitch, two turns, auto": ("auto", maneuver((0, 5), (720, -8), 24, pitch_deg=(-12, 12))),
+}
+
+
+@pytest.fixture(scope="module", params=PLANNED.values(), ids=PLANNED.keys())
 def planned(request):
-    return request.param, plan(request.param)
+    method, maneuver = request.param
+    return maneuver, plan(maneuver, method)
 
 
 def test_a_plan_flown_through_equation_3_arrives_and_keeps_its_limits(planned):
@@ -69,17 +88,19 @@ def test_a_plan_is_sampled_every_millisecond_from_rest_to_rest(planned):
         assert_allclose(trajectory.x[:, k], [travel, 0.0, elevation, 0.0, 0.0, 0.0], rtol=0.0, atol=1e-12)
 
 
-def test_a_plan_starts_and_ends_with_the_voltages_of_hover(planned):
-    maneuver, trajectory = planned
-    p = maneuver.parameters
-    for k, (_, q2) in ((0, maneuver.start), (-1, maneuver.goal)):
+@pytest.mark.parametrize("method", ["paper", "spline", "flat"])
+@pytest.mark.parametrize("start, goal", [((0.0, 0.0), (2.0 * math.pi, 0.0)), ((1.0, -0.1), (-1.0, 0.2))])
+def test_plans_but_those_of_least_effort_start_and_end_with_the_voltages_of_hover(method, start, goal):
+    asked = Maneuver(start, goal, 13.0)
+    trajectory, p = plan(asked, method), asked.parameters
+    for k, (_, q2) in ((0, start), (-1, goal)):
         v1 = -(p.a1 * math.sin(q2) + p.a2 * math.cos(q2)) / p.b2
         assert_allclose([equation_2(u) for u in trajectory.u[:, k]], 0.5 * v1, atol=1e-6)
 
 
-def test_no_plan_is_faster_than_optimal_control(planned):
-    maneuver, trajectory = planned
-    assert maneuver.start == maneuver.goal or shortest_time(maneuver, trajectory) < maneuver.duration
+@pytest.mark.parametrize("name", [name for name in MANEUVERS if name != "stay"])
+def test_no_plan_is_faster_than_optimal_control(name):
+    assert shortest_time(MANEUVERS[name], plan(MANEUVERS[name])) < MANEUVERS[name].duration
 
 
 @pytest.mark.parametrize(("pitch_deg", "shortest"), [(50.0, 8.23), (89.0, 7.50)])
@@ -88,10 +109,11 @@ def test_the_shortest_time_of_any_control_is_the_one_measured_in_the_notes(paper
     assert shortest_time(relaxed, paper_plan, intervals=100) == pytest.approx(shortest, abs=0.01)
 
 
-def test_the_mirrored_maneuver_is_the_mirrored_flight(paper_plan):
-    mirrored = plan(replace(Maneuver(), goal=(-2.0 * math.pi, 0.0)))
-    assert_allclose(mirrored.x, paper_plan.x * [[-1.0], [-1.0], [1.0], [1.0], [-1.0], [-1.0]], atol=1e-4)
-    assert_allclose(mirrored.u, paper_plan.u[::-1], atol=1e-3)
+@pytest.mark.parametrize("method", ["paper", "spline"])
+def test_the_mirrored_maneuver_is_the_mirrored_flight(method):
+    straight, mirrored = (plan(replace(Maneuver(), goal=(travel, 0.0)), method) for travel in (6.0, -6.0))
+    assert_allclose(mirrored.x, straight.x * [[-1.0], [-1.0], [1.0], [1.0], [-1.0], [-1.0]], atol=1e-4)
+    assert_allclose(mirrored.u, straight.u[::-1], atol=1e-3)
 
 
 def test_where_travel_starts_does_not_matter(paper_plan):
@@ -100,10 +122,16 @@ def test_where_travel_starts_does_not_matter(paper_plan):
     assert_allclose(elsewhere.x[0], paper_plan.x[0] - 3.0, atol=1e-4)
 
 
-def test_the_same_maneuver_gives_the_same_plan(paper_plan):
-    again = plan(Maneuver())
-    np.testing.assert_array_equal(again.x, paper_plan.x)
-    np.testing.assert_array_equal(again.u, paper_plan.u)
+@pytest.mark.parametrize("method", METHODS)
+def test_the_same_maneuver_gives_the_same_plan(method):
+    first, again = (plan(Maneuver(duration=12.0), method) for _ in range(2))
+    np.testing.assert_array_equal(again.x, first.x)
+    np.testing.assert_array_equal(again.u, first.u)
+
+
+def test_unless_asked_otherwise_the_papers_maneuver_is_planned_as_in_the_paper(paper_plan):
+    papers = plan(Maneuver(), "paper")
+    np.testing.assert_array_equal(paper_plan.u, papers.u)
 
 
 # Section III-B
@@ -189,38 +217,62 @@ def at_most(seconds: float):
         signal.signal(signal.SIGVTALRM, before)
 
 
-@pytest.mark.parametrize(
-    "asked",
-    [
-        maneuver((0, 0), (0, -10), 0.5),
-        maneuver((0, 0), (360, 0), 9),
-        maneuver((0, 0), (360, 0), 8),
-        maneuver((0, 0), (360, 0), 7.5),
-        maneuver((0, 0), (720, 0), 10),
-    ],
-    ids=str,
-)
-def test_an_infeasible_maneuver_names_what_is_in_the_way_and_a_duration_that_works(asked):
-    with at_most(15.0), pytest.raises(InfeasibleManeuver, match=r"pitch reaches .*voltages ride") as refusal:
-        plan(asked)
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("asked", [maneuver((0, 0), (0, -10), 0.5), maneuver((0, 0), (360, 0), 8)], ids=str)
+def test_an_infeasible_maneuver_names_what_is_in_the_way_and_a_duration_that_works(asked, method):
+    said = r"in the way .* voltage limit" if method in ("auto", "spline") else r"pitch reaches .*voltages ride"
+    with at_most(15.0), pytest.raises(InfeasibleManeuver, match=said) as refusal:
+        plan(asked, method)
     shortest = refusal.value.shortest_duration
     assert f"{shortest:.2f} s" in str(refusal.value)
     assert shortest > asked.duration
-    assert plan(replace(asked, duration=shortest)).duration == shortest
+    if method != "collocation":  # at the very shortest, there is no least effort to look for
+        assert plan(replace(asked, duration=shortest), method).duration == shortest
 
 
-def test_a_longer_time_than_one_that_works_works_too():
+@pytest.mark.parametrize("method", ["paper", "spline"])
+def test_a_longer_time_than_one_that_works_works_too(method):
     # hover at the goal would fill the rest
-    half_turn = maneuver((0, 0), (180, 0), 6)
+    half_turn = maneuver((0, 0), (180, 0), 5)
     with pytest.raises(InfeasibleManeuver) as refusal:
-        plan(half_turn)
+        plan(half_turn, method)
     longer = replace(half_turn, duration=max(7.0, 1.05 * refusal.value.shortest_duration))
-    assert plan(longer).duration == longer.duration
+    assert plan(longer, method).duration == longer.duration
 
 
-def test_a_maneuver_of_minutes_is_planned_in_seconds():
+def test_what_is_in_the_way_would_save_as_much_as_is_said():
+    with pytest.raises(InfeasibleManeuver) as refusal:
+        plan(Maneuver(duration=8.0), "spline")
+    said = str(refusal.value)
+    volt = float(re.search(r"upper voltage limit \(1 V more would save ([\d.]+) s\)", said)[1])
+    degree = float(re.search(r"pitch limits \(1 degree more would save ([\d.]+) s\)", said)[1])
+    narrow, more_volts, more_pitch = (
+        plan_fastest(maneuver((0, 0), (360, 0), 10, pitch_deg=(-pitch, pitch), u=(1.0, u_max))).duration
+        for pitch, u_max in ((50.0, 11.0), (50.0, 11.1), (51.0, 11.0))
+    )
+    assert 10.0 * (narrow - more_volts) == pytest.approx(volt, rel=0.1)
+    assert narrow - more_pitch == pytest.approx(degree, rel=0.1)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_time_limit_ends_the_search(method, monkeypatch):
+    clock = itertools.count()  # one second for every look at it
+    monkeypatch.setattr(planner.time, "perf_counter", lambda: float(next(clock)))
+    with pytest.raises(InfeasibleManeuver, match="within the time limit of 2 s") as refusal:
+        plan(Maneuver(duration=7.0), method, time_limit=2.0)
+    assert refusal.value.shortest_duration is None
+
+
+@pytest.mark.parametrize("time_limit", [0.0, -1.0, math.nan])
+def test_a_time_limit_that_is_none_is_named(time_limit):
+    with pytest.raises(ValueError, match="time_limit = "):
+        plan(Maneuver(), time_limit=time_limit)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_maneuver_of_minutes_is_planned_in_seconds(method):
     with at_most(10.0):
-        plan(maneuver((0, 0), (360, 0), 200))
+        plan(maneuver((0, 0), (360, 0), 200), method)
 
 
 @pytest.mark.parametrize(
@@ -234,3 +286,70 @@ def test_some_of_what_is_refused_no_control_at_all_can_fly(asked, like):
 def test_an_unknown_method_is_named_with_those_there_are():
     with pytest.raises(ValueError, match=r"method = 'flatness': .*paper"):
         plan(Maneuver(), method="flatness")
+
+
+# The shortest duration
+
+
+def test_the_papers_maneuver_takes_no_more_than_three_and_a_half_percent_more_than_optimal_control(paper_plan):
+    fastest = plan_fastest(Maneuver())
+    assert fastest.duration <= 8.5
+    assert 1.0 <= fastest.duration / shortest_time(Maneuver(), paper_plan, intervals=100) < 1.035
+
+
+@pytest.mark.parametrize("name", ["descend and turn", "little pitch to one side", "little pitch", "fans may reverse"])
+def test_the_fastest_plan_is_close_to_optimal_control_and_keeps_its_limits(name):
+    asked = replace(MANEUVERS[name], duration=30.0)
+    fastest = plan_fastest(asked)
+    flown = replay(fastest)
+    assert_allclose(flown[:, -1], [asked.goal[0], 0.0, asked.goal[1], 0.0, 0.0, 0.0], rtol=0.0, atol=1e-3)
+    low, high = asked.limits.pitch
+    assert low - 1e-6 <= flown[4].min() <= flown[4].max() <= high + 1e-6
+    low, high = asked.limits.u
+    assert low - 1e-6 <= fastest.u.min() <= fastest.u.max() <= high + 1e-6
+    assert 1.0 <= fastest.duration / shortest_time(asked, fastest, intervals=100) < 1.05
+
+
+def test_methods_by_their_shortest_durations():
+    durations = {method: plan_fastest(Maneuver(duration=12.0), method).duration for method in FASTEST}
+    assert durations["collocation"] < durations["spline"] == durations["auto"] < durations["paper"] < durations["flat"]
+
+
+@pytest.mark.parametrize("method", ["spline", "flat", "collocation"])
+def test_a_reserve_is_left_at_both_ends_of_both_windows(method):
+    fastest = plan_fastest(Maneuver(duration=14.0), method, reserve=0.1)
+    assert fastest.limits == Limits()
+    assert fastest.u.min() >= 1.5 - 1e-6
+    assert fastest.u.max() <= 10.5 + 1e-6
+    assert np.degrees(np.abs(fastest.x[4]).max()) <= 45.0 + 1e-4
+    assert fastest.duration > plan_fastest(Maneuver(duration=14.0), method).duration
+
+
+@pytest.mark.parametrize("method", FASTEST)
+def test_what_takes_longer_than_asked_for_is_refused_with_the_shortest_duration(method):
+    with pytest.raises(InfeasibleManeuver, match="the shortest found takes") as refusal:
+        plan_fastest(Maneuver(duration=7.0), method)
+    fastest = plan_fastest(Maneuver(duration=20.0), method)
+    assert refusal.value.shortest_duration == pytest.approx(fastest.duration, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ({"method": "magic"}, "method = 'magic'.*spline"),
+        ({"reserve": -0.1}, "reserve = -0.1"),
+        ({"reserve": 1.0}, "reserve = 1.0"),
+        ({"reserve": math.nan}, "reserve = nan"),
+        ({"reserve": 0.9}, "hover"),  # from 5.5 to 6.5 V
+        ({"time_limit": 0.0}, "time_limit = 0.0"),
+    ],
+    ids=str,
+)
+def test_arguments_that_the_fastest_plan_cannot_have_are_named(arguments, said):
+    with pytest.raises(ValueError, match=said):
+        plan_fastest(Maneuver(), **arguments)
+
+
+def test_there_is_no_fastest_way_to_stay():
+    with pytest.raises(ValueError, match=r"goal = \(1\.0, 0\.0\): another point"):
+        plan_fastest(Maneuver((1.0, 0.0), (1.0, 0.0)))

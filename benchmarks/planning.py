@@ -1,0 +1,215 @@
+"""Planning and gains beside what others would use, in one run: `python benchmarks/planning.py`; needs the extra `dev`.
+
+All on the paper's maneuver, medians after a warm-up; machines differ and are busy, so compare within one table only.
+"""
+
+import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads only slow 6x6 matrices down
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import casadi as ca
+import numpy as np
+import tyro
+from numba import njit
+from rich.console import Console
+from rich.table import Table
+from scipy.integrate import odeint, solve_bvp, solve_ivp
+from scipy.optimize import fsolve
+
+from baselines import ManeuverSampler, plan, riccati_gains, spline
+from baselines.boundary_value import COARSE, MAX_NODES, ConstrainedProblem, Solution, solve_unconstrained
+from baselines.collocation import collocate
+from baselines.normal_form import thrust_bounds
+from baselines.riccati import integrate, jacobians_along
+from baselines.shooting import End, parameters_of, solve_by_shooting, unconstrained_parameters
+from baselines.tvlqr import Q, R, integrate_stiff, stationary_cost
+from heli_gym import Maneuver, Trajectory, dynamics, linearise, thrust
+from heli_gym.model import hover_input, virtual_input
+
+
+@dataclass
+class Args:
+    """Time the planners and the Riccati equation."""
+
+    repetitions: int = 30  # at most, within the seconds below
+    seconds: float = 2.0  # per row
+
+
+def median(function: Callable[[], Any], args: Args) -> float:
+    """Seconds that a call takes."""
+    function()
+    times: list[float] = []
+    while len(times) < 3 or (len(times) < args.repetitions and sum(times) < args.seconds):
+        began = time.perf_counter()
+        function()
+        times.append(time.perf_counter() - began)
+    return float(np.median(times))
+
+
+def collocated(problem: ConstrainedProblem, guess: Solution, analytic: bool) -> Any:
+    """Equation (38) by scipy's relative of the paper's bvp4c."""
+    start, goal = problem.ends()
+    jacobians = {}
+    if analytic:
+        jacobians["fun_jac"] = problem.rhs_jacobian
+        jacobians["bc_jac"] = lambda Ya, Yb, p: (np.eye(12, 6), np.eye(12, 6, k=-6), np.zeros((12, 6)))
+
+    def ends(Ya, Yb, p):
+        return np.concatenate((Ya - start, Yb - goal))
+
+    return solve_bvp(problem.rhs, ends, guess.t, guess.Y, guess.p, tol=COARSE, max_nodes=MAX_NODES[COARSE], **jacobians)
+
+
+def multiple_shooting(maneuver: Maneuver, solver: str, intervals: int = 100) -> Callable[[], Any]:
+    """Least effort by CasADi's multiple shooting, one Runge-Kutta step an interval; solves what was built before."""
+    p, limits, h = maneuver.parameters, maneuver.limits, maneuver.duration / intervals
+    x, f = ca.SX.sym("x", 6), ca.SX.sym("f", 2)
+    rate = dynamics(ca.vertsplit(x), (f[0] + f[1], f[0] - f[1]), p, ca.sin, ca.cos)
+    rhs = ca.Function("rhs", [x, f], [ca.vertcat(*rate)])
+    k1 = rhs(x, f)
+    k2 = rhs(x + 0.5 * h * k1, f)
+    k3 = rhs(x + 0.5 * h * k2, f)
+    k4 = rhs(x + h * k3, f)
+    step = ca.Function("step", [x, f], [x + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)])
+    problem, states, inputs = ca.Opti(), [], []
+    for k in range(intervals + 1):
+        states.append(problem.variable(6))
+        if k < intervals:
+            inputs.append(problem.variable(2))
+    low, high = thrust_bounds(limits, p)
+    hover = 0.5 * float(hover_input(0.0, p)[0])
+    for k in range(intervals + 1):
+        if k < intervals:
+            problem.subject_to(states[k + 1] == step(states[k], inputs[k]))
+        if k in (0, intervals):
+            travel, elevation = maneuver.start if k == 0 else maneuver.goal
+            problem.subject_to(states[k] == ca.vertcat(travel, 0.0, elevation, 0.0, 0.0, 0.0))
+        else:
+            problem.subject_to(problem.bounded(limits.pitch_min, states[k][4], limits.pitch_max))
+        if k < intervals:
+            problem.subject_to(problem.bounded(low, inputs[k], high))
+            problem.set_initial(inputs[k], hover)
+    problem.minimize(sum(ca.sumsqr(f - hover) for f in inputs))
+    quiet: dict[str, Any] = {"expand": True, "print_time": False}
+    if solver == "fatrop":
+        problem.solver(solver, quiet | {"structure_detection": "auto"}, {"print_level": 0})
+    else:
+        problem.solver(solver, quiet, {"print_level": 0, "sb": "yes"})
+    return problem.solve
+
+
+def planning(args: Args) -> dict[str, float]:
+    """Rows of seconds."""
+    maneuver = Maneuver()
+    problem, thrusts = ConstrainedProblem(maneuver), thrust_bounds(maneuver.limits, maneuver.parameters)
+    start = spline.guess(maneuver, maneuver.duration, spline.SEGMENTS[0])
+    solution = spline.smoothest(maneuver, start, thrusts)
+    assert solution is not None
+    nearby = replace(maneuver, duration=10.1)
+
+    # in 10 s, the paper's guess is too far away for that
+    longer = replace(maneuver, duration=11.0)
+    unconstrained = unconstrained_parameters(longer)
+    assert unconstrained is not None
+    close = parameters_of(ConstrainedProblem(longer), unconstrained)
+
+    def paper_guess() -> Solution:
+        unconstrained = solve_unconstrained(maneuver)
+        assert unconstrained is not None
+        return problem.guess(unconstrained.stretched(maneuver.duration))
+
+    guess = paper_guess()
+
+    def shooting_guess() -> np.ndarray:
+        unconstrained = unconstrained_parameters(maneuver)
+        assert unconstrained is not None
+        return parameters_of(problem, unconstrained)
+
+    return {
+        "plan(method='spline'), sampled and checked": median(lambda: plan(maneuver, "spline"), args),
+        "  of which the interior-point method": median(lambda: spline.smoothest(maneuver, start, thrusts), args),
+        "  from the plan in 10.1 s": median(lambda: spline.smoothest(nearby, solution, thrusts, spline.WARM), args),
+        "plan(method='paper'), sampled and checked": median(lambda: plan(maneuver, "paper"), args),
+        "  of which (38) by shooting": median(lambda: solve_by_shooting(maneuver), args),
+        "  of which the paper's initial guess": median(shooting_guess, args),
+        "(38), solve_bvp, analytic Jacobians": median(lambda: collocated(problem, guess, True), args),
+        "(38), solve_bvp, without Jacobians": median(lambda: collocated(problem, guess, False), args),
+        "(38) in 11 s, compiled RK4, 400 steps, and fsolve": median(lambda: fsolve(End(longer, 400), close), args),
+        "CasADi, collocation, IPOPT, built and solved": median(lambda: collocate(maneuver, "effort"), args),
+        "CasADi, multiple shooting, IPOPT, solved": median(multiple_shooting(maneuver, "ipopt"), args),
+        "CasADi, multiple shooting, fatrop, solved": median(multiple_shooting(maneuver, "fatrop"), args),
+    }
+
+
+@njit
+def riccati_rhs(p, tau, t, J, Q, R):
+    """Equation (50), backwards in time, the linearisation being linear between samples; P (6, 6) as a vector."""
+    s = min(max((t[-1] - tau) / t[1], 0.0), len(t) - 1.0)
+    k = min(int(s), len(t) - 2)
+    now = (k + 1 - s) * J[k] + (s - k) * J[k + 1]
+    A, B, P = np.ascontiguousarray(now[:, :6]), np.ascontiguousarray(now[:, 6:]), p.reshape(6, 6)
+    PB = P @ B
+    return (A.T @ P + P @ A + Q - PB @ R @ PB.T).ravel()
+
+
+def gains(args: Args) -> dict[str, float]:
+    """Rows of seconds."""
+    maneuver = Maneuver()
+    reference, parameters = plan(maneuver), maneuver.parameters
+    M, R_inverse = stationary_cost(0.0, parameters, Q, R), np.linalg.inv(R)
+    t = np.linspace(0.0, reference.duration, 501)
+
+    def along(reference: Trajectory) -> tuple[np.ndarray, np.ndarray]:
+        x, u = reference(t)
+        return x, np.stack(virtual_input(thrust(u, parameters)))
+
+    J, rows, columns = jacobians_along(*along(reference), parameters)
+
+    def rhs(tau, p):
+        x, u = reference(reference.duration - tau)
+        A, B = linearise(x, np.stack(virtual_input(thrust(u, parameters))), parameters)
+        P = p.reshape(6, 6)
+        return (A.T @ P + P @ A + Q - P @ B @ R_inverse @ B.T @ P).ravel()
+
+    return {
+        "riccati_gains, all of it, M given": median(lambda: riccati_gains(reference, parameters, M=M), args),
+        "  with M of the stationary regulator": median(lambda: riccati_gains(reference, parameters), args),
+        "  of which the linearisation": median(lambda: jacobians_along(*along(reference), parameters), args),
+        "  of which RK4 on what does not vanish": median(
+            lambda: integrate(J, rows, columns, Q, R, M, 2.0 * t[1]), args
+        ),
+        "Magnus expansion, for stiff weights": median(lambda: integrate_stiff(reference, parameters, Q, R, M, t), args),
+        "LSODA, compiled right-hand side, rtol 1e-6": median(
+            lambda: odeint(riccati_rhs, M.ravel(), t, (t, J, Q, R_inverse), rtol=1e-6, atol=1e-8), args
+        ),
+        "RK45, numpy right-hand side, rtol 1e-6": median(
+            lambda: solve_ivp(rhs, (0.0, reference.duration), M.ravel(), rtol=1e-6, atol=1e-8), args
+        ),
+    }
+
+
+def sampling(args: Args) -> dict[str, float]:
+    """Rows of seconds."""
+    sampler, rng = ManeuverSampler(), np.random.default_rng(0)
+    return {"100 plans of random maneuvers in 12 s": median(lambda: [sampler(rng) for _ in range(100)], args)}
+
+
+def main(args: Args) -> None:
+    """Print a table for each of these."""
+    console = Console()
+    for title, group in (("planning", planning), ("gains along 10 s", gains), ("random maneuvers", sampling)):
+        rows = group(args)
+        first = next(iter(rows.values()))
+        table = Table("", "time (ms)", "ratio", title=title)
+        for name, seconds in rows.items():
+            table.add_row(name, f"{1e3 * seconds:.3g}", f"{seconds / first:.2g}")
+        console.print(table)
+
+
+if __name__ == "__main__":
+    main(tyro.cli(Args, description=__doc__))
