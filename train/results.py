@@ -1,0 +1,190 @@
+"""`python -m train.results`: learned and classical policies on the same held-out helicopters, with intervals.
+
+Every policy flies the same draws of a plant, which neither training nor validation has used. Of each metric the table
+gives the interquartile mean over draws and training seeds (Agarwal et al., "Deep reinforcement learning at the edge of
+the statistical precipice", 2021) and its 95 % interval, by a bootstrap that resamples draws and seeds; then, paired by
+draw, how much smaller it is than that of the paper's controller, and how probably it is smaller.
+"""
+
+import json
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import tyro
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+from scipy.stats import trim_mean
+
+from baselines.flight import fly_many
+from baselines.metrics import flight_metrics
+from baselines.policies import make_policy
+from heli_gym.plant import HELD_OUT_SEED
+from heli_gym.storage import atomic_write, check_folder
+from heli_gym.vector_env import Heli3DOFVectorEnv
+
+START_SPREAD_DEG = 5.0
+RESAMPLES, CONFIDENCE = 2000, 0.95
+METRICS = ("travel", "elevation", "pitch", "cost", "return", "crashed", "success")
+SHOWN = ("travel", "elevation", "cost")  # those that are compared
+
+
+@dataclass
+class Args:
+    """Compare policies on held-out draws of a plant."""
+
+    plant: str = "lab"
+    runs: tuple[Path, ...] = ()  # folders that heli-train left, of one method and plant, a seed each
+    label: str = "residual"  # of the method that learned in these runs
+    policies: tuple[str, ...] = ("feedforward+tvlqr", "lqi", "lag-lqr", "lag-lqi", "kalman-lqr")
+    against: str = "feedforward+tvlqr"  # which of them the others are compared with
+    reference: str = "travel-360"
+    episodes: int = 100  # draws
+    seed: int = HELD_OUT_SEED  # of the first; the others count on
+    out: Path = Path("out/results")
+
+
+def measured(envs: Heli3DOFVectorEnv, name: str, seed: int) -> np.ndarray:
+    """The metrics (len(METRICS), draws) of a policy, in degrees, s and shares."""
+    reference = envs.references[0]
+    flights = fly_many(envs, make_policy(name, reference, envs.control_period), seed)
+    rows = []
+    for flight in flights:
+        m = flight_metrics(flight, reference, envs.voltage_limits)
+        crashed = np.abs(flight.x[4]).max() > envs.pitch_limit
+        rows.append((*m.rms_error_deg, m.cost, m.episode_return, float(crashed), float(m.success)))
+    return np.array(rows).T
+
+
+def interquartile_mean(values: np.ndarray) -> float:
+    """The mean of the middle half of all values."""
+    return float(trim_mean(values, 0.25, axis=None))
+
+
+def resampled(shape: tuple[int, int], rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """Indices that draw as many seeds and as many draws as there are, (seeds, draws), with replacement."""
+    seeds, draws = shape
+    return rng.integers(seeds, size=seeds)[:, None], rng.integers(draws, size=draws)[None]
+
+
+def interval(values: list[float]) -> tuple[float, float]:
+    """The middle 95 % of bootstrapped values."""
+    low, high = np.quantile(values, [0.5 - CONFIDENCE / 2, 0.5 + CONFIDENCE / 2])
+    return float(low), float(high)
+
+
+def mean_with_interval(values: np.ndarray) -> dict[str, object]:
+    """Interquartile mean of values (seeds, draws), and its interval."""
+    rng = np.random.default_rng(0)
+    bootstrapped = [interquartile_mean(values[resampled(values.shape, rng)]) for _ in range(RESAMPLES)]
+    return {"iqm": interquartile_mean(values), "interval": interval(bootstrapped)}
+
+
+def improvement(values: np.ndarray, others: np.ndarray) -> dict[str, object]:
+    """By which share values (seeds, draws) are smaller than others (1, draws) on the same draws, and how often."""
+    rng = np.random.default_rng(0)
+
+    def share(seeds: np.ndarray, draws: np.ndarray) -> float:
+        return 1.0 - interquartile_mean(values[seeds, draws]) / interquartile_mean(others[0, draws])
+
+    everyone = np.arange(values.shape[0])[:, None], np.arange(values.shape[1])[None]
+    bootstrapped = [share(*resampled(values.shape, rng)) for _ in range(RESAMPLES)]
+    smaller = np.mean(values < others) + 0.5 * np.mean(values == others)
+    return {"share": share(*everyone), "interval": interval(bootstrapped), "probability": float(smaller)}
+
+
+def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
+    """The metrics (len(METRICS), seeds, draws) of each policy."""
+    check_folder("out", args.out)
+    if args.episodes < 2:
+        raise ValueError(f"episodes = {args.episodes}: at least 2 are needed")
+    if args.against not in args.policies:
+        raise ValueError(f"against = {args.against!r}: one of policies = {args.policies} is needed")
+    envs = Heli3DOFVectorEnv(args.episodes, args.plant, args.reference, start_spread_deg=START_SPREAD_DEG)
+    names = {name: [name] for name in args.policies}
+    if args.runs:
+        names[args.label] = [str(run / "best.json") for run in args.runs]
+    jobs = [(label, name) for label, group in names.items() for name in group]
+    results: dict[str, list[np.ndarray]] = {label: [] for label in names}
+    for label, name in track(jobs, "flying", console=console):
+        results[label].append(measured(envs, name, args.seed))
+    return {label: np.stack(group, axis=1) for label, group in results.items()}
+
+
+def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[str, dict]]:
+    """The table, and the same as plain values."""
+    table = Table(title=f"{args.reference} on {args.episodes} held-out draws of {args.plant}: interquartile means")
+    table.add_column("policy")
+    for name in ("RMS travel (deg)", "RMS elevation (deg)", "cost (s)"):
+        table.add_column(name, justify="right")
+    for name in SHOWN[:2]:
+        table.add_column(f"{name}: less than {args.against}", justify="right")
+    table.add_column("crashes", justify="right")
+    table.add_column("success", justify="right")
+    rows: dict[str, dict] = {}
+    for label, values in results.items():
+        row: dict = {name: mean_with_interval(values[METRICS.index(name)]) for name in SHOWN}
+        for name in SHOWN[:2]:
+            k = METRICS.index(name)
+            row[f"{name} improvement"] = improvement(values[k], results[args.against][k])
+        row["crashes"], row["success"] = (float(values[METRICS.index(name)].mean()) for name in ("crashed", "success"))
+        row["seeds"] = values.shape[1]
+        rows[label] = row
+        means = [
+            f"{row[name]['iqm']:.3g} [{row[name]['interval'][0]:.3g}, {row[name]['interval'][1]:.3g}]" for name in SHOWN
+        ]
+        gains = [
+            f"{100 * gain['share']:.0f} % [{100 * gain['interval'][0]:.0f}, {100 * gain['interval'][1]:.0f}], "
+            f"p {gain['probability']:.2f}"
+            for gain in (row[f"{name} improvement"] for name in SHOWN[:2])
+        ]
+        table.add_row(
+            f"{label} ({row['seeds']})",
+            *means,
+            *gains,
+            f"{100 * row['crashes']:.1f} %",
+            f"{100 * row['success']:.0f} %",
+        )
+    return table, rows
+
+
+def draw_profiles(path: Path, args: Args, results: dict[str, np.ndarray]) -> None:
+    """Which share of the flights has at most which error."""
+    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained", sharey=True)
+    for axis, name in zip(axes, SHOWN[:2]):
+        for label, values in results.items():
+            errors = np.sort(values[METRICS.index(name)].ravel())
+            axis.step(errors, np.arange(1, len(errors) + 1) / len(errors), where="post", label=label)
+        axis.set_xlabel(f"RMS error of {name} (deg)")
+        axis.set_xscale("log")
+        axis.grid(alpha=0.3, which="both")
+    axes[0].set_ylabel("share of flights below")
+    axes[1].legend(fontsize=8)
+    figure.suptitle(f"{args.episodes} held-out draws of {args.plant}")
+    with atomic_write(path) as file:
+        figure.savefig(file, format="png", dpi=130)
+    plt.close(figure)
+
+
+def main() -> None:
+    """Fly, print the table, leave it and the profiles in the folder."""
+    args = tyro.cli(Args, description=__doc__)
+    console = Console()
+    try:
+        results = compare(args, console)
+    except ValueError as error:
+        sys.exit(f"train.results: {error}")
+    table, rows = table_of(args, results)
+    console.print(table)
+    args.out.mkdir(parents=True, exist_ok=True)
+    with atomic_write(args.out / f"{args.plant}.json") as file:
+        file.write((json.dumps(rows, indent=2) + "\n").encode())
+    draw_profiles(args.out / f"{args.plant}-profiles.png", args, results)
+    console.print(f"written to {args.out}")
+
+
+if __name__ == "__main__":
+    main()
