@@ -34,6 +34,7 @@ from heli_gym.vector_env import Heli3DOFVectorEnv
 PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
 FIGURE_START_DEG = (-5.0, 5.0)  # travel and elevation off the reference, where the flights of Figs. 10 and 11 start
 CONFIDENCE = 0.95
+COMPARED = tuple(name for name in POLICIES if name not in ("middle-voltage", "zero"))  # with something to compare
 COLUMNS = (
     "start",
     "policy",
@@ -60,7 +61,7 @@ class Args:
     """Fly the policies along a reference: once from its start at the paper's sampling time of 1 ms (on a plant that is
     not drawn), and in many episodes from perturbed starts. Every policy flies the same episodes."""
 
-    policies: tuple[str, ...] = tuple(POLICIES)  # which to fly
+    policies: tuple[str, ...] = COMPARED  # which to fly: names, or paths of learned policies, .json
     reference: str = "travel-360"  # a packaged reference, or an .npz file that heli-plan wrote
     plant: str = "nominal"  # what is flown: nominal, lab or rigid; the latter two are drawn anew in each episode
     episodes: int = 10  # from perturbed starts

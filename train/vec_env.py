@@ -220,7 +220,7 @@ def tracking_reward(error: np.ndarray, cost: np.ndarray, rewards: np.ndarray) ->
     With a share of the environment's rewards (N,), which also ask for pitch, rates and effort.
     """
     tracking = 1.0 / (1.0 + ((error / ONE[:, None]) ** 2).sum(axis=0))
-    return tracking - cost
+    return 0.75 * tracking + 0.25 * rewards - cost
 
 
 def replaced(old: Any, new: Any, columns: np.ndarray) -> Any:
