@@ -1,6 +1,5 @@
 """`heli-evaluate`: fly the policies, print one table, write results.json and the paper's figures."""
 
-import itertools
 import json
 import sys
 import time
@@ -22,7 +21,7 @@ from baselines.flight import fly, fly_many
 from baselines.metrics import Metrics, flight_metrics
 from baselines.normal_form import thrust_bounds, v2_bounds
 from baselines.planner import plan, plan_unconstrained
-from baselines.policies import POLICIES, make_policy
+from baselines.policies import POLICIES, is_learned, make_policy
 from baselines.report import check_page, write_report
 from baselines.tvlqr import riccati_gains
 from heli_gym.env import Heli3DOFEnv, find_reference
@@ -34,7 +33,8 @@ from heli_gym.vector_env import Heli3DOFVectorEnv
 PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
 FIGURE_START_DEG = (-5.0, 5.0)  # travel and elevation off the reference, where the flights of Figs. 10 and 11 start
 CONFIDENCE = 0.95
-COMPARED = tuple(name for name in POLICIES if name not in ("middle-voltage", "zero"))  # with something to compare
+NOT_COMPARED = ("residual", "residual-rigid", "middle-voltage", "zero")  # unless they are asked for
+COMPARED = tuple(name for name in POLICIES if name not in NOT_COMPARED)
 COLUMNS = (
     "start",
     "policy",
@@ -105,9 +105,11 @@ def evaluate(args: Args, console: Console) -> list[Flight]:
         control_period=args.control_period,
         start_spread_deg=args.start_spread_deg,
     )
-    starts = ("perturbed",) if exact.plant.is_random else ("exact", "perturbed")
+    # what was learned flies at its own control period only
+    jobs = [] if exact.plant.is_random else [("exact", name) for name in args.policies if not is_learned(name)]
+    jobs += [("perturbed", name) for name in args.policies]
     flights = []
-    for start, name in track([*itertools.product(starts, args.policies)], "flying", console=console):
+    for start, name in track(jobs, "flying", console=console):
         env = exact if start == "exact" else perturbed
         policy = make_policy(name, reference, env.control_period)
         began = time.perf_counter()

@@ -5,6 +5,7 @@ They broadcast: a policy flies one helicopter or N of them, at one time or at N.
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -367,6 +368,15 @@ def middle_voltage(reference: Trajectory, control_period: float, parameters: Hel
     return ConstantVoltage(0.5 * sum(AMPLIFIER_LIMITS))
 
 
+def residual(
+    reference: Trajectory, control_period: float, parameters: HelicopterParameters, name: str = "lab"
+) -> Policy:
+    """The learned correction that comes with the package, trained on the plant of this name."""
+    from baselines.residual import LEARNED, learned_policy
+
+    return learned_policy(LEARNED / name, reference, control_period, parameters)
+
+
 POLICIES: dict[str, Callable[..., Policy]] = {
     "open-loop": open_loop,
     "feedforward+tvlqr": feedforward_tvlqr,
@@ -374,6 +384,8 @@ POLICIES: dict[str, Callable[..., Policy]] = {
     "lag-lqr": lag_lqr,
     "lag-lqi": lag_lqi,
     "kalman-lqr": kalman_lqr,
+    "residual": residual,
+    "residual-rigid": partial(residual, name="rigid"),
     "hover-lqr": hover_lqr,
     "middle-voltage": middle_voltage,
     "zero": zero,
@@ -385,6 +397,11 @@ WEIGHTS: dict[str, Weights] = {  # of those that can be tuned
     "lag-lqi": LAG_LQI,
     "kalman-lqr": KALMAN_LQR,
 }
+
+
+def is_learned(name: str) -> bool:
+    """Whether the policy of this name was learned, and so flies at the control period of its training only."""
+    return name.startswith("residual") or name.endswith(".json")
 
 
 def make_policy(

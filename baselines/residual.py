@@ -22,6 +22,7 @@ from heli_gym.storage import atomic_write
 from heli_gym.task import TOLERANCE, control_grid, to_action
 from heli_gym.trajectory import Trajectory
 
+LEARNED = Path(__file__).parent / "learned"  # the policies that come with the package: of the first seed on each plant
 AHEAD = (0.0, 0.2, 0.4, 0.8)  # s, at which the network sees the reference
 BEFORE = (0.1, 0.2, 0.4)  # s, at which it sees past errors and corrections
 STATE_SCALE = np.array([math.pi, 1.0, 0.2, 0.5, 1.0, 2.0])  # rad and rad/s, of the reference
@@ -90,7 +91,7 @@ class ResidualPolicy:
             to_action(beside(self.u[:, k], measurement) + np.zeros_like(u_base), self.voltage_limits),
             past[0, 3:],
         ]
-        if isinstance(self.base, ModelPolicy):
+        if isinstance(self.base, ModelPolicy) and self.base.memory is not None:
             rows += [
                 self.base.memory.disturbance / DISTURBANCE_SCALE,
                 to_action(self.base.memory.rotors, self.voltage_limits),
@@ -103,6 +104,8 @@ class ResidualPolicy:
         self, t: float | np.ndarray, measurement: np.ndarray, u_base: np.ndarray, action: np.ndarray
     ) -> np.ndarray:
         """The voltages (2, ...) in V, after the base policy's and the action (2, ...); also remembers both."""
+        if self.memory is None:
+            raise ValueError("correct: comes after observe")
         k = period(t, self.control_period, self.x.shape[1] - 1)
         u = u_base + self.scale * action if self.scale else u_base
         if isinstance(self.base, ModelPolicy) and self.scale:
@@ -152,9 +155,9 @@ def save_learned(path: str | os.PathLike, settings: Learned, network: Network) -
     """Writes path.safetensors and path.json, each atomically."""
     from safetensors.numpy import save
 
-    tensors = {}
+    tensors: dict[str, np.ndarray] = {}
     for layer, (weight, bias) in enumerate(zip(network.weights, network.biases)):
-        tensors[f"{layer}.weight"], tensors[f"{layer}.bias"] = np.float32(weight), np.float32(bias)
+        tensors[f"{layer}.weight"], tensors[f"{layer}.bias"] = weight.astype(np.float32), bias.astype(np.float32)
     data = save(tensors)
     path = Path(path)
     with atomic_write(path.with_suffix(".safetensors")) as file:

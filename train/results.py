@@ -19,12 +19,15 @@ from rich.progress import track
 from rich.table import Table
 from scipy.stats import trim_mean
 
-from baselines.flight import fly_many
+from baselines.flight import fly, fly_many
 from baselines.metrics import flight_metrics
 from baselines.policies import make_policy
+from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
+from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
+from train.oracle import Oracle
 
 START_SPREAD_DEG = 5.0
 RESAMPLES, CONFIDENCE = 2000, 0.95
@@ -44,6 +47,7 @@ class Args:
     reference: str = "travel-360"
     episodes: int = 100  # draws
     seed: int = HELD_OUT_SEED  # of the first; the others count on
+    oracle: int = 0  # of these draws, the first so many, for which the floor is found too: 3 s each on lab, 40 on rigid
     out: Path = Path("out/results")
 
 
@@ -51,11 +55,25 @@ def measured(envs: Heli3DOFVectorEnv, name: str, seed: int) -> np.ndarray:
     """The metrics (len(METRICS), draws) of a policy, in degrees, s and shares."""
     reference = envs.references[0]
     flights = fly_many(envs, make_policy(name, reference, envs.control_period), seed)
+    return np.array([metrics_of(flight, reference, envs) for flight in flights]).T
+
+
+def metrics_of(flight: Trajectory, reference: Trajectory, env: Heli3DOFEnv | Heli3DOFVectorEnv) -> tuple[float, ...]:
+    """METRICS of one flight."""
+    m = flight_metrics(flight, reference, env.voltage_limits)
+    crashed = np.abs(flight.x[4]).max() > env.pitch_limit
+    return *m.rms_error_deg, m.cost, m.episode_return, float(crashed), float(m.success)
+
+
+def floor(args: Args, console: Console) -> np.ndarray:
+    """The metrics (len(METRICS), args.oracle) of the oracle on the first draws."""
+    env = Heli3DOFEnv(args.plant, args.reference, start_spread_deg=START_SPREAD_DEG)
+    oracle = Oracle(env.plant, env.reference, env.control_period, env.voltage_limits, env.pitch_limit)
     rows = []
-    for flight in flights:
-        m = flight_metrics(flight, reference, envs.voltage_limits)
-        crashed = np.abs(flight.x[4]).max() > envs.pitch_limit
-        rows.append((*m.rms_error_deg, m.cost, m.episode_return, float(crashed), float(m.success)))
+    for k in track(range(args.oracle), "the floor", console=console):
+        _, info = env.reset(seed=args.seed + k)
+        policy = oracle.policy(info["plant"], info["state"], env.reference.u[:, 0], env.control_period)
+        rows.append(metrics_of(fly(env, policy, seed=args.seed + k), env.reference, env))
     return np.array(rows).T
 
 
@@ -101,6 +119,8 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
     check_folder("out", args.out)
     if args.episodes < 2:
         raise ValueError(f"episodes = {args.episodes}: at least 2 are needed")
+    if not 0 <= args.oracle <= args.episodes:
+        raise ValueError(f"oracle = {args.oracle}: 0 to episodes = {args.episodes} is needed")
     if args.against not in args.policies:
         raise ValueError(f"against = {args.against!r}: one of policies = {args.policies} is needed")
     envs = Heli3DOFVectorEnv(args.episodes, args.plant, args.reference, start_spread_deg=START_SPREAD_DEG)
@@ -111,13 +131,15 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
     results: dict[str, list[np.ndarray]] = {label: [] for label in names}
     for label, name in track(jobs, "flying", console=console):
         results[label].append(measured(envs, name, args.seed))
+    if args.oracle:
+        results["oracle"] = [floor(args, console)]
     return {label: np.stack(group, axis=1) for label, group in results.items()}
 
 
 def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[str, dict]]:
     """The table, and the same as plain values."""
     table = Table(title=f"{args.reference} on {args.episodes} held-out draws of {args.plant}: interquartile means")
-    table.add_column("policy")
+    table.add_column("policy (seeds x draws)")
     for name in ("RMS travel (deg)", "RMS elevation (deg)", "cost (s)"):
         table.add_column(name, justify="right")
     for name in SHOWN[:2]:
@@ -129,7 +151,7 @@ def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[st
         row: dict = {name: mean_with_interval(values[METRICS.index(name)]) for name in SHOWN}
         for name in SHOWN[:2]:
             k = METRICS.index(name)
-            row[f"{name} improvement"] = improvement(values[k], results[args.against][k])
+            row[f"{name} improvement"] = improvement(values[k], results[args.against][k][:, : values.shape[2]])
         row["crashes"], row["success"] = (float(values[METRICS.index(name)].mean()) for name in ("crashed", "success"))
         row["seeds"] = values.shape[1]
         rows[label] = row
@@ -142,7 +164,7 @@ def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[st
             for gain in (row[f"{name} improvement"] for name in SHOWN[:2])
         ]
         table.add_row(
-            f"{label} ({row['seeds']})",
+            f"{label} ({values.shape[1]} x {values.shape[2]})",
             *means,
             *gains,
             f"{100 * row['crashes']:.1f} %",

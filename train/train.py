@@ -25,7 +25,6 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, Ti
 from stable_baselines3 import PPO, SAC, TD3
 from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.logger import configure
-from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
 from stable_baselines3.common.utils import set_random_seed
 
 from baselines.flight import fly_many
@@ -260,8 +259,8 @@ def state_of(agent: BaseAlgorithm, history: list[dict[str, Any]]) -> dict[str, A
         "steps": agent.num_timesteps,
         "updates": agent._n_updates,
     }
-    if isinstance(agent, OffPolicyAlgorithm):
-        buffer = agent.replay_buffer
+    buffer = getattr(agent, "replay_buffer", None)
+    if buffer is not None:
         state["buffer"] = {name: torch.from_numpy(getattr(buffer, name)) for name in BUFFER}
         state["position"], state["full"] = buffer.pos, buffer.full
     return state
@@ -276,10 +275,11 @@ def restore(agent: BaseAlgorithm, state: dict[str, Any]) -> list[dict[str, Any]]
     for name, value in state["variables"].items():
         getattr(agent, name).data.copy_(value)
     agent.num_timesteps, agent._n_updates = state["steps"], state["updates"]
-    if isinstance(agent, OffPolicyAlgorithm):
+    buffer = getattr(agent, "replay_buffer", None)
+    if buffer is not None:
         for name, value in state["buffer"].items():
-            getattr(agent.replay_buffer, name)[:] = value.numpy()
-        agent.replay_buffer.pos, agent.replay_buffer.full = state["position"], state["full"]
+            getattr(buffer, name)[:] = value.numpy()
+        buffer.pos, buffer.full = state["position"], state["full"]
     return json.loads(state["history"])
 
 

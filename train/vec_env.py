@@ -10,8 +10,8 @@ from stable_baselines3.common.vec_env.base_vec_env import VecEnv
 
 from baselines.policies import ModelPolicy, period
 from baselines.residual import LARGEST, ResidualPolicy
+from heli_gym.kernels import LAG, LOSS, RIG, VISCOUS
 from heli_gym.rigid_body import RigidBodyParameters
-from heli_gym.simulation import LAG, LOSS, RIG, VISCOUS
 from heli_gym.task import TOLERANCE, to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv
 

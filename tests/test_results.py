@@ -1,0 +1,107 @@
+import json
+
+import numpy as np
+import pytest
+
+pytest.importorskip("rich")
+
+from numpy.testing import assert_allclose
+from rich.console import Console
+from scipy.stats import norm
+
+from baselines import fly, make_policy
+from heli_gym.env import Heli3DOFEnv
+from heli_gym.plant import Plant, Push
+from train import results
+from train.oracle import EFFORT, Oracle
+from train.results import Args, compare, improvement, interquartile_mean, mean_with_interval, table_of
+
+
+def test_the_interquartile_mean_is_the_mean_of_the_middle_half():
+    assert interquartile_mean(np.array([[100.0, 1.0, 2.0, -50.0], [3.0, 4.0, 5.0, 99.0]])) == pytest.approx(3.5)
+
+
+def test_an_interval_covers_the_truth_about_as_often_as_it_says():
+    rng = np.random.default_rng(0)
+    covered = 0
+    for _ in range(60):
+        low, high = mean_with_interval(rng.standard_normal((1, 60)))["interval"]
+        covered += low <= 0.0 <= high
+    assert covered / 60 >= 0.85
+
+
+def test_the_interval_of_a_mean_over_seeds_is_wider_where_the_seeds_differ():
+    rng = np.random.default_rng(1)
+    alike = rng.standard_normal((10, 50))
+    different = alike + 3.0 * rng.standard_normal((10, 1))
+    (a, b), (c, d) = (mean_with_interval(values)["interval"] for values in (alike, different))
+    assert d - c > 2.0 * (b - a)
+
+
+def test_improvements_are_paired_by_draw():
+    rng = np.random.default_rng(2)
+    base = rng.uniform(1.0, 10.0, (1, 80))
+    found = improvement(np.repeat(0.6 * base, 5, axis=0), base)
+    assert found["share"] == pytest.approx(0.4)
+    assert_allclose(found["interval"], [0.4, 0.4], atol=0.02)  # draws differ widely, but in both alike
+    assert found["probability"] == 1.0
+    assert improvement(base, base)["probability"] == 0.5
+
+
+def test_the_probability_of_improvement_is_that_of_a_smaller_value():
+    rng = np.random.default_rng(3)
+    found = improvement(rng.normal(5.0, 1.0, (40, 500)), rng.normal(6.0, 1.0, (1, 500)))
+    assert found["probability"] == pytest.approx(norm.cdf(1.0 / np.sqrt(2.0)), abs=0.03)
+
+
+def test_every_policy_flies_the_same_draws_and_the_table_says_what_they_did(tmp_path):
+    args = Args(policies=("feedforward+tvlqr", "kalman-lqr"), reference="climb-7.5", episodes=6, out=tmp_path)
+    found = compare(args, Console(quiet=True))
+    assert {name: values.shape for name, values in found.items()} == {
+        "feedforward+tvlqr": (len(results.METRICS), 1, 6),
+        "kalman-lqr": (len(results.METRICS), 1, 6),
+    }
+    _, rows = table_of(args, found)
+    json.dumps(rows)
+    assert rows["feedforward+tvlqr"]["travel improvement"]["share"] == 0.0
+    assert rows["kalman-lqr"]["elevation"]["iqm"] == interquartile_mean(found["kalman-lqr"][1])
+    results.draw_profiles(tmp_path / "profiles.png", args, found)
+    assert (tmp_path / "profiles.png").read_bytes()[:4] == b"\x89PNG"
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ({"episodes": 1}, "episodes"),
+        ({"against": "zero"}, "against"),
+        ({"oracle": -1}, "oracle"),
+        ({"plant": "x"}, "plant"),
+    ],
+)
+def test_bad_settings_are_named(tmp_path, change, name):
+    with pytest.raises(ValueError, match=name):
+        compare(Args(out=tmp_path, **change), Console(quiet=True))
+
+
+@pytest.mark.parametrize("plant", ["lab", "rigid"])
+def test_the_oracle_flies_what_it_planned_and_no_policy_does_better(plant):
+    env = Heli3DOFEnv(plant, "climb-7.5", 0.05, start_spread_deg=5.0)
+    reference = env.reference
+    oracle = Oracle(env.plant, reference, env.control_period, env.voltage_limits, env.pitch_limit)
+    _, info = env.reset(seed=5)
+    policy = oracle.policy(info["plant"], info["state"], reference.u[:, 0], env.control_period)
+
+    def cost(flight):
+        degrees = np.degrees(flight.x[[0, 2], 1:] - oracle.x_ref[[0, 2], 1 : flight.x.shape[1]])
+        return (degrees**2).sum() + EFFORT * ((flight.u[:, :-1] - oracle.u_ref) ** 2).sum()
+
+    flight = fly(env, policy, seed=5)
+    assert cost(flight) == pytest.approx(float(oracle.found["f"]), rel=1e-6)  # its model is the environment's
+    for name in ("feedforward+tvlqr", "kalman-lqr"):
+        assert cost(flight) < cost(fly(env, make_policy(name, reference, env.control_period), seed=5))
+
+
+def test_the_oracle_refuses_plants_that_its_problem_leaves_out():
+    env = Heli3DOFEnv("lab", "climb-7.5")
+    with pytest.raises(ValueError, match="disturbances"):
+        Oracle(Plant(disturbances=(Push("pitch", 1.0, 1.0),)), env.reference, 0.02, (0.0, 12.0), 1.4)

@@ -1,0 +1,69 @@
+"""`python -m train.export_onnx --policy best.json --out best.onnx`: a learned network for other runtimes.
+
+Only the network, from features (N, F) to actions (N, 2) in single precision: what makes the features and what is done
+with the actions is `baselines.residual.ResidualPolicy`.
+"""
+
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import onnx
+import tyro
+from onnx import TensorProto, helper, numpy_helper
+
+from baselines.residual import LEARNED, Network, load_learned
+from heli_gym.storage import atomic_write
+
+OPSET, IR_VERSION = 17, 8  # of 2022, which runtimes have learned to read
+
+
+@dataclass
+class Args:
+    """Export a learned policy's network."""
+
+    policy: Path = LEARNED / "lab.json"
+    out: Path = Path("out/residual.onnx")
+
+
+def onnx_model(network: Network) -> onnx.ModelProto:
+    """The network as an ONNX graph."""
+    nodes, tensors, value = [], [], "features"
+    last = len(network.weights) - 1
+    for layer, (weight, bias) in enumerate(zip(network.weights, network.biases)):
+        for name, array in (("weight", weight), ("bias", bias)):
+            tensors.append(numpy_helper.from_array(array.astype(np.float32), f"{layer}.{name}"))
+        squashed = layer < last or network.squashes
+        result = f"{layer}.sum" if squashed or layer < last else "actions"
+        nodes.append(helper.make_node("Gemm", [value, f"{layer}.weight", f"{layer}.bias"], [result], transB=1))
+        value = result
+        if squashed:
+            value = f"{layer}.tanh" if layer < last else "actions"
+            nodes.append(helper.make_node("Tanh", [result], [value]))
+    graph = helper.make_graph(
+        nodes,
+        "residual",
+        [helper.make_tensor_value_info("features", TensorProto.FLOAT, ["N", network.weights[0].shape[1]])],
+        [helper.make_tensor_value_info("actions", TensorProto.FLOAT, ["N", 2])],
+        tensors,
+    )
+    model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", OPSET)], ir_version=IR_VERSION)
+    onnx.checker.check_model(model)
+    return model
+
+
+def main(args: Args) -> None:
+    """Read, export, write."""
+    try:
+        _, network = load_learned(args.policy)
+    except ValueError as error:
+        sys.exit(f"train.export_onnx: {error}")
+    args.out.parent.mkdir(parents=True, exist_ok=True)
+    with atomic_write(args.out) as file:
+        file.write(onnx_model(network).SerializeToString())
+    print(f"written to {args.out}")
+
+
+if __name__ == "__main__":
+    main(tyro.cli(Args, description=__doc__))

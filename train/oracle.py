@@ -1,0 +1,143 @@
+"""The floor: what could be flown by someone who knew the draw of each plant beforehand.
+
+For each drawn helicopter, the voltages that minimise the errors of travel and elevation over the whole maneuver, from
+its own start and through its own rotors, friction, delay and body: direct multiple shooting, solved by CasADi and IPOPT
+(extra `ocp`). No controller can know this; the voltages are then flown open loop in the environment, sensors aside.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from baselines.policies import period
+from heli_gym.model import dynamics, rk4_step, thrust, virtual_input
+from heli_gym.parameters import HelicopterParameters
+from heli_gym.plant import Plant, hindered
+from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
+from heli_gym.simulation import SUBSTEP
+from heli_gym.task import control_grid
+from heli_gym.trajectory import Trajectory
+
+DEGREE = np.pi / 180.0
+EFFORT = 1e-3  # per V², of the deviation from the nominal voltages, against one per degree² of error
+MARGIN = 5.0 * DEGREE  # rad, that the pitch keeps from where the flight ends
+
+
+@dataclass(eq=False)
+class Sequence:
+    """A policy that asks for given voltages (2, K), whatever it measures."""
+
+    u: np.ndarray
+    control_period: float
+
+    def reset(self, rng: np.random.Generator) -> None:
+        """Nothing to do: this policy remembers nothing."""
+
+    def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
+        return self.u[:, period(t, self.control_period, self.u.shape[1] - 1)]
+
+
+class Oracle:
+    """The best voltages for drawn plants of one kind: with rotors that lag and viscous friction, rigid or not.
+
+    Args:
+        plant: one of the kind; its draws may differ in lag, thrust loss, friction and rig, not in the delay.
+        reference: that is to be followed.
+        control_period: s, for which voltages are held.
+        voltage_limits: V.
+        pitch_limit: rad.
+
+    Raises:
+        ValueError: for a plant with Coulomb friction, a slew limit or disturbances, which this problem leaves out.
+    """
+
+    def __init__(
+        self,
+        plant: Plant,
+        reference: Trajectory,
+        control_period: float,
+        voltage_limits: tuple[float, float],
+        pitch_limit: float,
+    ) -> None:
+        import casadi as ca
+
+        example = plant.at(np.zeros(plant.uniforms)) if plant.uniforms else plant
+        if any(example.friction.coulomb) or np.isfinite(example.rotors.slew) or example.disturbances:
+            raise ValueError(f"plant = {plant}: no Coulomb friction, slew limit or disturbances are needed")
+        self.delay, self.is_rigid = example.rotors.delay, example.rig is not None
+        x_ref, u_ref = control_grid(reference, control_period)
+        self.x_ref, self.u_ref = x_ref, u_ref[:, :-1]
+        steps = self.u_ref.shape[1]
+        substeps = int(np.ceil(control_period / SUBSTEP - 1e-9))
+
+        numbers = ca.SX.sym("numbers", len(self.numbers(example)))
+        z, u = ca.SX.sym("z", 8), ca.SX.sym("u", 2)
+        x, w = tuple(ca.vertsplit(z[:6])), tuple(ca.vertsplit(z[6:]))
+        for _ in range(substeps):
+            x, w = self.predicted(x, w, tuple(ca.vertsplit(u)), control_period / substeps, ca.vertsplit(numbers), ca)
+        step = ca.Function("step", [z, u, numbers], [ca.vertcat(*x, *w)])
+
+        Z, U = ca.MX.sym("Z", 8, steps + 1), ca.MX.sym("U", 2, steps)
+        start, before, p = ca.MX.sym("start", 8), ca.MX.sym("before", 2), ca.MX.sym("p", numbers.shape[0])
+        arriving = ca.horzcat(*[before] * self.delay, U[:, : steps - self.delay])
+        gaps = step.map(steps)(Z[:, :-1], arriving, ca.repmat(p, 1, steps)) - Z[:, 1:]
+        error = (Z[[0, 2], 1:] - x_ref[[0, 2], 1:]) / DEGREE
+        cost = ca.sumsqr(error) + EFFORT * ca.sumsqr(U - self.u_ref)
+        self.solver = ca.nlpsol(
+            "oracle",
+            "ipopt",
+            {
+                "x": ca.vertcat(ca.vec(Z), ca.vec(U)),
+                "p": ca.vertcat(start, before, p),
+                "f": cost,
+                "g": ca.vertcat(Z[:, 0] - start, ca.vec(gaps)),
+            },
+            {"ipopt": {"print_level": 0, "sb": "yes", "max_iter": 500}, "print_time": False},
+        )
+        most = np.full((8, steps + 1), np.inf)
+        most[4] = pitch_limit - MARGIN
+        low, high = voltage_limits
+        self.lower = np.concatenate((-most.ravel("F"), np.full(2 * steps, low)))
+        self.upper = np.concatenate((most.ravel("F"), np.full(2 * steps, high)))
+        self.steps = steps
+
+    def numbers(self, plant: Plant) -> list[float]:
+        """What is drawn."""
+        rig = list(plant.rig) if self.is_rigid else []
+        return [plant.rotors.lag, plant.rotors.thrust_loss, *plant.friction.viscous, *rig]
+
+    def predicted(self, x: tuple, w: tuple, u: tuple, h: float, numbers: list, ca: Any) -> tuple[tuple, tuple]:
+        """State and rotor speeds after h seconds: the environment's own step, in CasADi's numbers."""
+        lag, loss, *rest = numbers
+        parameters = HelicopterParameters()
+
+        def derivative(x: tuple, v: tuple) -> tuple:
+            if self.is_rigid:
+                dx = rigid_dynamics(x, v, RigidBodyParameters(*rest[3:]), ca.sin, ca.cos)
+            else:
+                dx = dynamics(x, v, parameters, ca.sin, ca.cos)
+            return hindered(x, dx, rest[:3], (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0), ca.cos)
+
+        def turned_to(time: float) -> tuple:
+            return tuple(asked + (speed - asked) * ca.exp(-time / lag) for asked, speed in zip(u, w))
+
+        inputs = tuple(
+            virtual_input(tuple((1.0 - loss) * thrust(speed, parameters) for speed in turned_to(share * h)))
+            for share in (0.0, 0.5, 1.0)
+        )
+        return rk4_step(derivative, x, inputs, h), turned_to(h)
+
+    def policy(self, plant: Plant, x: np.ndarray, u: np.ndarray, control_period: float) -> Sequence:
+        """The best voltages for a drawn plant that starts in the state x (6,), its rotors turning at u (2,) V.
+
+        Raises RuntimeError if the solver finds none.
+        """
+        guess = np.concatenate(
+            (np.vstack((self.x_ref, self.u_ref[:, [*range(self.steps), -1]])).ravel("F"), self.u_ref.ravel("F"))
+        )
+        given = np.concatenate((x, u, u, self.numbers(plant)))
+        found = self.found = self.solver(x0=guess, p=given, lbx=self.lower, ubx=self.upper, lbg=0.0, ubg=0.0)
+        if not self.solver.stats()["success"]:
+            raise RuntimeError(f"no optimal voltages for {plant}: {self.solver.stats()['return_status']}")
+        return Sequence(np.array(found["x"])[8 * (self.steps + 1) :].reshape(2, self.steps, order="F"), control_period)
