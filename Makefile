@@ -8,7 +8,9 @@ BIN := $(VENV)/bin
 export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: demo test lint clean
+SEEDS := 0 1 2 3 4 5 6 7 8 9
+
+.PHONY: demo test lint reproduce clean
 
 demo: $(VENV)/eval
 	$(BIN)/heli-evaluate --out out
@@ -20,6 +22,13 @@ lint: $(VENV)/dev
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
+
+reproduce: $(VENV)/dev
+	@echo "twenty training runs of about three minutes each on an idle core, then the tables: about an hour"
+	for plant in lab rigid; do \
+	  for seed in $(SEEDS); do $(BIN)/heli-train --plant $$plant --seed $$seed --out out/train || exit 1; done; \
+	  $(BIN)/python -m train.results --plant $$plant --runs out/train/ppo-$$plant-kalman-lqr-* --out out/results || exit 1; \
+	done
 
 clean:
 	rm -rf $(VENV) out build dist *.egg-info

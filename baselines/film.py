@@ -26,7 +26,7 @@ LAST = 2.0  # s, for which the last picture stays
 class Args:
     """Fly policies along a reference from its exact start, on the same draw of a plant, and film them side by side."""
 
-    policies: tuple[str, ...] = ("feedforward+tvlqr", "open-loop")  # which to fly, from the left to the right
+    policies: tuple[str, ...] = ("feedforward+tvlqr", "residual")  # which to fly, from the left to the right
     plant: str = "lab"  # what is flown: nominal, lab or rigid
     reference: str = "travel-360"  # a packaged reference, or an .npz file that heli-plan wrote
     seed: int = HELD_OUT_SEED  # of the episode

@@ -12,10 +12,11 @@ from gymnasium.spaces import Box
 from numpy.typing import ArrayLike
 
 from heli_gym import task
+from heli_gym.kernels import ASKED, COST, LAST, MEASURED, OBSERVED, REWARD, STEP, TABLE, TERMINATED, X
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer, Scene
-from heli_gym.simulation import ASKED, LAST, OBSERVED, REPORT, START_UNIFORMS, STEP, TABLE, Simulation, X
+from heli_gym.simulation import Simulation
 from heli_gym.trajectory import Trajectory
 
 ONLY = np.zeros(1, int)  # the only helicopter of its simulation
@@ -63,7 +64,7 @@ class Heli3DOFEnv(gym.Env):
     | `rigid`   | the full rigid body in one of two variants, with the same actuators, friction and sensors |
 
     `lab` and `rigid` are drawn anew in every episode, from ranges of published models and data of such rigs. The
-    integrator is Runge-Kutta of order four: one step per control period on `nominal`, steps of 5 ms on the others.
+    integrator is Runge-Kutta of order four: one step per control period on `nominal`, steps of 10 ms on the others.
 
     ## Action Space
 
@@ -176,12 +177,11 @@ class Heli3DOFEnv(gym.Env):
 
         self.random_start = bool(random_start)
         self.own_simulation = self.simulation = self._simulation(self.plant)
-        bound = task.observation_bound(
-            self.simulation.features.T, self.plant, self.voltage_limits, self.pitch_limit, self.control_period
+        self.bound = task.observation_bound(
+            self.simulation.features(), self.plant, self.voltage_limits, self.pitch_limit, self.control_period
         ).astype(np.float32)
-        self.observation_space = Box(-bound, bound, dtype=np.float32)
+        self.observation_space = Box(-self.bound, self.bound, dtype=np.float32)
         self.action_space = Box(-1.0, 1.0, (2,), dtype=np.float32)
-        self.last_step = int(self.simulation.initial[LAST, 0])
         self.over = True
 
     def reset(
@@ -195,15 +195,15 @@ class Heli3DOFEnv(gym.Env):
             raise ValueError(f"options = {options!r}: only 'state' and 'plant' are known")
         plant = find_plant(options.get("plant", self.plant))
         simulation = self.own_simulation if plant is self.plant else self._simulation(plant)
-        start = self._start(options)
-        uniforms = simulation.draw(self.np_random)
-        simulation.begin(ONLY, uniforms[None], start)
-        self.drawn_plant = plant.at(uniforms[START_UNIFORMS:])
-        self.simulation, self.step_one = simulation, simulation.kernels.step_one
+        state = self._start(options)
+        simulation.draw(0, self.np_random)
+        simulation.begin(ONLY, state)
+        self.drawn_plant = simulation.drawn_plant(0)
+        self.simulation, self.step_one, self.told = simulation, simulation.kernels.step, simulation.told
         self.step_count = int(simulation.rows(STEP, 1)[0, 0])
         self.over = False
-        observation, told = np.empty((1, OBSERVED), np.float32), np.empty((REPORT, 1))
-        simulation.observe(ONLY, observation, told)
+        observation, told = simulation.arrays()
+        simulation.tell(ONLY, observation, told)
         if self.render_mode == "human":
             self.render()
         return observation[0], self._info(told[:, 0])
@@ -212,21 +212,26 @@ class Heli3DOFEnv(gym.Env):
         """One control period with the voltages held. Raises ValueError for an action that is not two finite numbers."""
         if self.over:
             raise gym.error.ResetNeeded("the episode is over: call reset before step")
-        front, back = finite_pair(action)
-        s, observation, told = self.simulation, np.empty(OBSERVED, np.float32), np.empty(REPORT)
-        reward, cost, terminated, truncated = self.step_one(
-            s.blocks, s.settings, s.table, s.features, front, back, observation, told
-        )
+        s, observation, told = self.simulation, np.empty(OBSERVED, np.float32), np.empty(self.told)
+        if type(action) is np.ndarray and action.dtype.char in "fd" and action.shape == (2,):
+            s.actions[:] = action
+        else:
+            s.actions[:] = two_numbers(action)
+        over = self.step_one(s.blocks, s.settings, s.flat_table, s.actions, observation, told)
+        if over < 0:
+            raise ValueError(f"action = {action!r}: two finite numbers are needed")
         self.step_count += 1
         info = self._info(told)
-        info["voltage"] = told[12:14]
-        info["cost"] = cost
-        if terminated or truncated:
+        info["voltage"], info["cost"] = told[ASKED : ASKED + 2], told.item(COST)
+        terminated = truncated = False
+        if over:
             self.over = True
+            terminated = told.item(TERMINATED) > 0.0
+            truncated = not terminated
             info["is_success"] = truncated and bool(task.succeeded(s.errors()[:, 0]))
         if self.render_mode == "human":
             self.render()
-        return observation, reward, terminated, truncated, info
+        return observation, told.item(REWARD), terminated, truncated, info
 
     def render(self) -> np.ndarray | None:
         """The helicopter now: a picture (720, 960, 3), uint8, or None and a window, as the render mode says.
@@ -265,7 +270,7 @@ class Heli3DOFEnv(gym.Env):
         )
 
     def _start(self, options: dict[str, Any]) -> np.ndarray | None:
-        """The state (6, 1) that the options ask for, if they do."""
+        """The state (1, 6) that the options ask for, if they do."""
         if "state" not in options:
             return None
         nominal, state = self.reference.x[:, 0], _numbers(options["state"], 6)
@@ -275,12 +280,13 @@ class Heli3DOFEnv(gym.Env):
                 f"options['state'] = {options['state']!r}: six finite numbers, at most 1 rad and 1 rad/s from the "
                 f"reference's start {nominal} and with the pitch within {self.pitch_limit:g} rad, are needed"
             )
-        return np.array(state)[:, None]
+        return np.array([state])
 
     def _info(self, told: np.ndarray) -> dict[str, Any]:
+        state = told[X : X + 6]
         return {
-            "state": told[0:6],
-            "measurement": told[6:12],
+            "state": state,
+            "measurement": told[MEASURED : MEASURED + 6] if len(told) > MEASURED else state,
             "time": self.step_count * self.control_period,
             "plant": self.drawn_plant,
         }
@@ -294,7 +300,7 @@ def scene_of(simulation: Simulation, j: int) -> Scene:
         state=tuple(simulation.rows(X, 6)[:, j].tolist()),
         voltage=tuple(simulation.rows(ASKED, 2)[:, j].tolist()),
         reference=tuple(simulation.table[first + step, :6].tolist()),
-        nominal_voltage=tuple(simulation.table[first + max(step - 1, 0), 6:].tolist()),
+        nominal_voltage=tuple(simulation.table[first + max(step - 1, 0), 6:8].tolist()),
         time=step * simulation.control_period,
         duration=last * simulation.control_period,
         travel_start=float(simulation.table[first, 0]),
@@ -304,16 +310,12 @@ def scene_of(simulation: Simulation, j: int) -> Scene:
     )
 
 
-def finite_pair(action: Any) -> tuple[float, float]:
+def two_numbers(action: Any) -> list[float]:
     """The two numbers of an action. Raises ValueError if it is anything else."""
-    if type(action) is np.ndarray and action.dtype.char in "fd" and action.shape == (2,):
-        front, back = action.tolist()
-        if -math.inf < front < math.inf and -math.inf < back < math.inf:
-            return front, back
     values = _numbers(action, 2)
     if values is None:
         raise ValueError(f"action = {action!r}: two finite numbers are needed")
-    return values[0], values[1]
+    return values
 
 
 def _numbers(values: Any, count: int) -> list[float] | None:

@@ -19,8 +19,8 @@ from heli_gym.rigid_body import VARIANTS, solve_rigid_body
 
 AXES = ("travel", "elevation", "pitch")
 ROTORS = ("front", "back")
-SUBSTEP = 5e-3  # s, at most, of the integration where there is more than (3): a tenth of the shortest rotor lag
 HELD_OUT_SEED = 2**31  # episodes of evaluations count their seeds from here on; tuning and training use smaller ones
+TURN = 2.0 * math.pi  # rad
 COULOMB_RATE = 0.02  # rad/s, over which Coulomb friction changes sign: smooth, so that RK4 keeps its order
 
 
@@ -273,7 +273,7 @@ def hindered(x: Any, dx: tuple, viscous: Any, coulomb: Any, torques: Any, cos: A
 
 def encoded(angle: Any, counts: Any, floor: Any = np.floor) -> Any:
     """The angle in rad that an encoder of so many counts per revolution tells."""
-    count = 2.0 * math.pi / counts
+    count = TURN / counts
     return count * floor(angle / count + 0.5)
 
 

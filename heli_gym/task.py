@@ -48,7 +48,7 @@ def reward(error: Any, du: Any) -> Any:
     return 1.0 / (1.0 + squares + (du[0] / EFFORT_TOLERANCE) ** 2 + (du[1] / EFFORT_TOLERANCE) ** 2)
 
 
-def cost(pitch: Any, u: Any, limits: Limits) -> Any:
+def cost(pitch: Any, u: Any, limits: Limits | Any) -> Any:
     """How far pitch in rad and voltages u (2, ...) in V are outside the limits (9), in widths of the limits."""
     low, high = limits.u_min, limits.u_max
     return excess(pitch, limits.pitch_min, limits.pitch_max) + excess(u[0], low, high) + excess(u[1], low, high)

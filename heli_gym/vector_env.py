@@ -14,10 +14,11 @@ from numpy.typing import ArrayLike
 
 from heli_gym import task
 from heli_gym.env import Heli3DOFEnv, find_reference, scene_of
+from heli_gym.kernels import ASKED, COST, MEASURED, REWARD, STEP, TERMINATED, TRUNCATED, X
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer
-from heli_gym.simulation import OBSERVED, REPORT, START_UNIFORMS, Simulation
+from heli_gym.simulation import Simulation
 from heli_gym.trajectory import Trajectory
 
 
@@ -34,8 +35,9 @@ class Heli3DOFVectorEnv(VectorEnv):
         dtype: of the simulation, "float64" or "float32"; the latter is faster for many helicopters, and accurate to
             about 1e-5 over a flight.
 
-    `info["plant"]`, an object array, is there after a `reset` only; `plant_of` tells at any time. `options["plant"]` of a
-    `reset` flies another plant, in all helicopters and until the next `reset`. All arrays that are handed out are new.
+    `info["plant"]`, an object array, is there after a `reset` only; `plant_of` tells at any time. `options["plant"]`
+    of a `reset` flies another plant, in all helicopters and until the next `reset`. All arrays that are handed out are
+    new; where sensors are exact, `info["measurement"]` is `info["state"]`.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "autoreset_mode": AutoresetMode.NEXT_STEP}  # noqa: RUF012
@@ -62,6 +64,9 @@ class Heli3DOFVectorEnv(VectorEnv):
         if render_mode not in (None, *self.metadata["render_modes"]):
             raise ValueError(f"render_mode = {render_mode!r}: None or 'rgb_array' is needed")
         self.num_envs, self.render_mode, self.dtype = num_envs, render_mode, np.dtype(dtype).type
+        modes = [mode.value for mode in AutoresetMode]
+        if not isinstance(autoreset_mode, AutoresetMode) and autoreset_mode not in modes:
+            raise ValueError(f"autoreset_mode = {autoreset_mode!r}: one of {modes} is needed")
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         plants = one_each("plant", plant, num_envs, find_plant)
         references = one_each("reference", reference, num_envs, find_reference)
@@ -79,15 +84,15 @@ class Heli3DOFVectorEnv(VectorEnv):
         self.voltage_limits = single.voltage_limits
         self.start_spread_deg, self.random_start = single.start_spread_deg, single.random_start
         self.metadata = {**single.metadata, **self.metadata, "autoreset_mode": self.autoreset_mode}
-        bound = np.max([env.observation_space.high for env in singles], axis=0)
+        bound = np.max([env.bound for env in singles], axis=0)
         self.single_observation_space = Box(-bound, bound, dtype=np.float32)
         self.single_action_space = single.action_space
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
 
         self.plants, self.references = plants, references
-        self.own_simulation = self._simulation(plants)
-        self.simulation: Simulation | None = None
+        self.own_simulation = self.simulation = self._simulation(plants)
+        self.has_begun = False
         self.everyone = np.arange(num_envs)
         self.all = np.ones(num_envs, bool)
         self.all.setflags(write=False)
@@ -103,8 +108,8 @@ class Heli3DOFVectorEnv(VectorEnv):
         Args:
             seed: of the first helicopter, the others counting on from there, or of each.
             options: "state" (6,) or (N, 6) and "plant" as for `Heli3DOFEnv.reset`; "time" (N,) in s, when on their
-                references these flights start, and only these; "reset_mask" (N,), bool, tells
-                which helicopters are meant.
+                references these flights start, and only these; "reset_mask" (N,), bool, tells which helicopters are
+                meant.
 
         Raises:
             ValueError: for a bad seed or option.
@@ -118,7 +123,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         unknown = set(options) - {"state", "plant", "time"}
         if unknown:
             raise ValueError(f"options = {options!r}: only 'state', 'plant', 'time' and 'reset_mask' are known")
-        if (self.simulation is None or "plant" in options) and not mask.all():
+        if (not self.has_begun or "plant" in options) and not mask.all():
             raise ValueError("options['reset_mask']: at the first reset, and where the plant changes, all are meant")
         seeds = [seed + i for i in range(self.num_envs)] if isinstance(seed, int) else seed or [None] * self.num_envs
         if len(seeds) != self.num_envs:
@@ -129,7 +134,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         if times is not None and not (times.shape == (self.num_envs,) and np.isfinite(times).all()):
             raise ValueError(f"options['time'] = {options['time']!r}: finite times ({self.num_envs},) in s are needed")
 
-        for i in helicopters:
+        for i in helicopters.tolist():
             if seeds[i] is not None:
                 self.generators[i] = np_random(seeds[i])[0]
         if mask.all():
@@ -137,67 +142,65 @@ class Heli3DOFVectorEnv(VectorEnv):
             self.simulation = (
                 self.own_simulation if plant is None else self._simulation([find_plant(plant)] * self.num_envs)
             )
-            self.uniforms = np.zeros((self.num_envs, self.simulation.uniforms))
             self.over = np.zeros(self.num_envs, bool)
-        observation, told = (
-            np.zeros((self.num_envs, OBSERVED), np.float32),
-            np.zeros((REPORT, self.num_envs), self.dtype),
-        )
-        self._begin(helicopters, observation, told, states, times)
+            self.has_begun = True
+        for i in helicopters.tolist():
+            self.simulation.draw(i, self.generators[i])
+        self.simulation.begin(helicopters, states, times)
+        observation, told = self.simulation.arrays()
+        self.simulation.tell(self.everyone, observation, told)
         self.over[helicopters] = False
         self.is_waiting = bool(self.over.any())
         info = self._info(told, mask)
         info["plant"], info["_plant"] = np.full(self.num_envs, None, object), mask.copy()
-        for i in helicopters:
+        for i in helicopters.tolist():
             info["plant"][i] = self.plant_of(i)
         return observation, info
 
     def step(self, actions: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
         """One control period of all helicopters. Raises ValueError for actions that are not (N, 2) finite numbers."""
-        if self.simulation is None:
+        if not self.has_begun:
             raise gym.error.ResetNeeded("call reset before step")
-        if not (type(actions) is np.ndarray and actions.dtype.char in "fd"):
+        if type(actions) is not np.ndarray or actions.dtype.char not in "fd":
             actions = np.asarray(actions, float)
         if actions.shape != (self.num_envs, 2):
             raise ValueError(f"actions of shape {actions.shape}: ({self.num_envs}, 2) is needed")
         mode, waiting = self.autoreset_mode, self.over
-        if mode is AutoresetMode.DISABLED and waiting.any():
+        if mode is AutoresetMode.DISABLED and self.is_waiting:
             raise gym.error.ResetNeeded(f"the episodes {np.flatnonzero(waiting)} are over: reset them before step")
-        count, observation, rewards, terminated, truncated, told = self.simulation.step(actions)
+        count, observation, told = self.simulation.step(actions)
         if count < 0:
             bad = np.flatnonzero(~np.isfinite(actions).all(axis=1))
             raise ValueError(f"actions[{bad[0]}] = {actions[bad[0]]}: two finite numbers are needed")
 
-        fresh = None
+        flown = self.all
         if mode is AutoresetMode.NEXT_STEP and self.is_waiting:
-            fresh = np.flatnonzero(waiting)
-            self._begin(fresh, observation, told)
-            rewards[fresh], terminated[fresh], truncated[fresh] = 0.0, False, False
-            told[12:15, fresh] = 0.0
-            count = int(terminated.sum() + truncated.sum())
-        self.is_waiting = count > 0
-        self.over = terminated | truncated
+            flown = ~waiting
+            self._begin(np.flatnonzero(waiting), observation, told)
+        terminated, truncated = told[TERMINATED] > 0.0, told[TRUNCATED] > 0.0
+        rewards = told[REWARD].astype(float)
         info = self._info(told, self.all)
-        info["voltage"], info["cost"] = told[12:14].T, told[14]
-        info["_voltage"] = info["_cost"] = self.all
-        if fresh is not None:
-            info["_voltage"] = info["_cost"] = ~waiting
-        if count:
+        info["voltage"], info["cost"] = told[ASKED : ASKED + 2].T, told[COST]
+        info["_voltage"] = info["_cost"] = flown
+        # those that have just begun are not over, whatever `count` says
+        self.over = terminated | truncated if count else np.zeros(self.num_envs, bool)
+        self.is_waiting = count > 0 and bool(self.over.any())
+        if self.is_waiting:
             self._end(info, observation, told, truncated)
         return observation, rewards, terminated, truncated, info
 
     def plant_of(self, i: int) -> Plant:
         """The plant that was drawn for the flight of the helicopter i."""
-        if self.simulation is None:
+        if not self.has_begun:
             raise gym.error.ResetNeeded("nothing is drawn yet: call reset first")
-        return self.simulation.plants[i].at(self.uniforms[i, START_UNIFORMS:])
+        return self.simulation.drawn_plant(i)
 
     def render(self) -> tuple[np.ndarray, ...] | None:
         """A picture (720, 960, 3), uint8, of each helicopter. Raises DependencyNotInstalled without pygame."""
         if self.render_mode is None:
             gym.logger.warn("render: without a render mode nothing is drawn; make the environment with one")
             return None
-        if self.simulation is None:
+        if not self.has_begun:
             raise gym.error.ResetNeeded("there is nothing to draw yet: call reset before render")
         if self.renderer is None:
             self.renderer = Renderer()
@@ -222,53 +225,40 @@ class Heli3DOFVectorEnv(VectorEnv):
         )
 
     def _states(self, value: Any) -> np.ndarray | None:
-        """The states (6, N) that an option asks for, if it does."""
+        """The states (N, 6) that an option asks for, if it does."""
         if value is None:
             return None
         try:
-            states = np.broadcast_to(np.asarray(value, float), (self.num_envs, 6)).T
+            states = np.array(np.broadcast_to(np.asarray(value, float), (self.num_envs, 6)))
         except (TypeError, ValueError) as error:
             raise ValueError(
                 f"options['state'] = {value!r}: finite numbers (6,) or ({self.num_envs}, 6) are needed"
             ) from error
-        starts = np.array([reference.x[:, 0] for reference in self.references]).T
-        near = (np.abs(states - starts) <= np.array(task.FARTHEST_START)[:, None]).all()
-        if not near or task.crashed(states[4], self.pitch_limit).any():
+        starts = np.array([reference.x[:, 0] for reference in self.references])
+        near = (np.abs(states - starts) <= np.array(task.FARTHEST_START)).all()
+        if not near or task.crashed(states[:, 4], self.pitch_limit).any():
             raise ValueError(
                 f"options['state'] = {value!r}: at most 1 rad and 1 rad/s from the references' starts, and the pitch "
                 f"within {self.pitch_limit:g} rad, is needed"
             )
         return states
 
-    def _begin(
-        self,
-        helicopters: np.ndarray,
-        observation: np.ndarray,
-        told: np.ndarray,
-        states: np.ndarray | None = None,
-        times: np.ndarray | None = None,
-    ) -> None:
+    def _begin(self, helicopters: np.ndarray, observation: np.ndarray, told: np.ndarray) -> None:
         """New flights of these helicopters (n,), and what they observe and tell at first."""
-        simulation = self.simulation
-        if simulation.is_random:
-            for i in helicopters:
-                self.uniforms[i] = simulation.draw(self.generators[i])
-        simulation.begin(
-            helicopters,
-            self.uniforms[helicopters],
-            None if states is None else states[:, helicopters],
-            None if times is None else times[helicopters],
-        )
-        simulation.observe(helicopters, observation, told)
+        for i in helicopters.tolist():
+            self.simulation.draw(i, self.generators[i])
+        self.simulation.begin(helicopters)
+        self.simulation.tell(helicopters, observation, told)
+        told[ASKED : ASKED + 2, helicopters] = 0.0  # nobody has asked for anything
 
     def _info(self, told: np.ndarray, mask: np.ndarray) -> dict[str, Any]:
-        state, measurement, time = told[0:6].T, told[6:12].T, told[15]
+        state = told[X : X + 6].T
         return {
             "state": state,
             "_state": mask,
-            "measurement": measurement,
+            "measurement": told[MEASURED : MEASURED + 6].T if len(told) > MEASURED else state,
             "_measurement": mask,
-            "time": time,
+            "time": self.control_period * told[STEP],
             "_time": mask,
         }
 
@@ -290,9 +280,9 @@ class Heli3DOFVectorEnv(VectorEnv):
         for i in ended:
             info["final_obs"][i] = observation[i].copy()
         self._begin(ended, observation, told)
-        told[12:15, ended] = 0.0
-        self.over, self.is_waiting = np.zeros(self.num_envs, bool), False
+        info["time"] = self.control_period * told[STEP]
         info["_voltage"] = info["_cost"] = ~over
+        self.over, self.is_waiting = np.zeros(self.num_envs, bool), False
 
 
 def one_each(name: str, value: Any, count: int, find: Callable) -> list:

@@ -74,7 +74,9 @@ def test_table_i_is_what_the_parameters_hold():
 
 
 def test_section_ii_equation_2_thrust_is_quadratic_in_the_voltage_with_two_coefficients():
-    assert_allclose(thrust(np.array([-10.0, -1.0, 0.0, 1.0, 10.0])), [-0.1503, -0.001503, 0.0, 0.004855, 0.4855], rtol=1e-12)
+    assert_allclose(
+        thrust(np.array([-10.0, -1.0, 0.0, 1.0, 10.0])), [-0.1503, -0.001503, 0.0, 0.004855, 0.4855], rtol=1e-12
+    )
 
 
 def test_section_ii_footnote_1_negative_voltages_produce_no_considerable_thrust():

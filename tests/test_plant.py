@@ -1,14 +1,18 @@
 import math
+from types import SimpleNamespace
 
 import gymnasium as gym
 import numpy as np
 import pytest
+from independent import hover
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.integrate import solve_ivp
 
+from heli_gym.kernels import DISTURBANCES, GUST, MEASURED, MOTOR, ROTOR, ROW, X
 from heli_gym.model import dynamics, hover_input, thrust, virtual_input, voltage
-from heli_gym.parameters import HelicopterParameters
+from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
 from heli_gym.plant import (
+    COULOMB_RATE,
     PLANTS,
     Friction,
     Gust,
@@ -20,11 +24,11 @@ from heli_gym.plant import (
     Rotors,
     Sensors,
     Uniform,
-    advance,
-    at_rest,
     find_plant,
 )
 from heli_gym.rigid_body import rigid_dynamics, solve_rigid_body
+from heli_gym.simulation import Simulation
+from heli_gym.task import to_action
 
 P = HelicopterParameters()
 HOVER = (float(voltage(0.5 * hover_input(0.0, P)[0], P)),) * 2
@@ -32,128 +36,127 @@ LEVEL = (0.0,) * 6
 
 
 def simulate(plant, voltages=HOVER, x=LEVEL, duration=2.0, dt=0.02, seed=0):
-    """States after each control period of a drawn plant; voltages constant or one pair per period."""
-    rng = np.random.default_rng(seed)
+    """Rows (..., K + 1) at the start and after each control period; voltages constant or one pair per period."""
     steps = round(duration / dt)
-    voltages = np.broadcast_to(voltages, (steps, 2))
-    states = [at_rest(plant, tuple(x), HOVER)]
-    for k in range(steps):
-        states.append(advance(plant, states[-1], tuple(voltages[k].tolist()), k * dt, dt, rng))
-    return states
-
-
-def path(states):
-    return np.array([state.x for state in states]).T
+    simulation = Simulation([plant], [hover(duration)], dt, AMPLIFIER_LIMITS, math.inf)
+    simulation.draw(0, np.random.default_rng(seed))
+    simulation.begin(np.zeros(1, int), np.array([x], float))
+    flown = [simulation.blocks.reshape(-1, ROW)[:, 0].copy()]
+    for action in to_action(np.broadcast_to(voltages, (steps, 2)), AMPLIFIER_LIMITS):
+        simulation.step(action[None])
+        flown.append(simulation.blocks.reshape(-1, ROW)[:, 0].copy())
+    rows = np.array(flown).T
+    return SimpleNamespace(
+        x=rows[X : X + 6],
+        measured=rows[MEASURED : MEASURED + 6] if plant.sensors else rows[X : X + 6],
+        motor=rows[MOTOR : MOTOR + 2],
+        rotor=rows[ROTOR : ROTOR + 2],
+        gust=rows[DISTURBANCES + GUST] if plant.disturbances else None,
+    )
 
 
 def test_nominal_plant_is_equation_3():
     u = (9.0, 7.0)
-    states = simulate(PLANTS["nominal"], u)
+    flight = simulate(PLANTS["nominal"], u)
     exact = solve_ivp(
         lambda t, x: dynamics(x, virtual_input(thrust(np.array(u), P)), P), (0, 2), LEVEL, rtol=1e-11, atol=1e-12
     )
-    assert_allclose(path(states)[:, -1], exact.y[:, -1], atol=1e-9)
-    assert states[-1].measurement == states[-1].x
+    assert_allclose(flight.x[:, -1], exact.y[:, -1], atol=1e-9)
 
 
+@pytest.mark.parametrize("lag", [0.05, 0.2])
 @pytest.mark.parametrize("rig", [None, solve_rigid_body("A"), solve_rigid_body("B")], ids=["(3)", "A", "B"])
-def test_a_flight_with_lag_and_friction_agrees_with_an_adaptive_integrator(rig):
-    lag, loss, d, c, u = 0.1, 0.1, np.array([0.1, 0.2, 0.3]), np.array([0.02, 0.01, 0.03]), np.array([9.5, 8.0])
+def test_a_flight_with_lag_and_friction_agrees_with_an_adaptive_integrator(rig, lag):
+    loss, d, c, u = 0.1, np.array([0.1, 0.2, 0.3]), np.array([0.02, 0.01, 0.03]), np.array([9.5, 8.0])
     plant = Plant(rig=rig, rotors=Rotors(lag=lag, thrust_loss=loss), friction=Friction(tuple(d), tuple(c)))
     x = (0.0, 0.3, 0.05, -0.1, 0.2, 0.1)
 
     def rhs(t, z):
         v = virtual_input((1 - loss) * P.k_plus * z[6:] ** 2)
         dx = np.array(dynamics(z[:6], v, P) if rig is None else rigid_dynamics(z[:6], v, rig))
-        dx[1::2] -= d * z[1:6:2] + c * np.tanh(z[1:6:2] / 0.02)
+        dx[1::2] -= d * z[1:6:2] + c * z[1:6:2] / np.hypot(z[1:6:2], COULOMB_RATE)
         return np.concatenate((dx, (u - z[6:]) / lag))
 
     exact = solve_ivp(rhs, (0, 2), (*x, *HOVER), rtol=1e-10, atol=1e-12, method="DOP853", max_step=0.01)
-    assert_allclose(path(simulate(plant, u, x))[:, -1], exact.y[:6, -1], atol=1e-6)
+    assert_allclose(simulate(plant, u, x).x[:, -1], exact.y[:6, -1], atol=1e-6)
 
 
 def test_rotors_follow_a_step_exponentially():
-    states = simulate(Plant(rotors=Rotors(lag=0.15)), (11.0, 5.0), duration=0.3)
+    flight = simulate(Plant(rotors=Rotors(lag=0.15)), (11.0, 5.0), duration=0.3)
     expected = np.array([11.0, 5.0]) + (HOVER[0] - np.array([11.0, 5.0])) * math.exp(-0.3 / 0.15)
-    assert_allclose(states[-1].rotors, expected, rtol=1e-7)
+    assert_allclose(flight.rotor[:, -1], expected, rtol=1e-12)
 
 
 @pytest.mark.parametrize("delay", [1, 3])
 def test_a_delay_shifts_the_flight_by_that_many_control_periods(delay):
     voltages = np.random.default_rng(0).uniform(5.0, 11.0, (50, 2))
-    late = path(simulate(Plant(rotors=Rotors(delay=delay)), voltages, duration=1.0))
+    late = simulate(Plant(rotors=Rotors(delay=delay)), voltages, duration=1.0).x
     shifted = np.concatenate((np.tile(HOVER, (delay, 1)), voltages[:-delay]))
-    assert_allclose(late, path(simulate(Plant(), shifted, duration=1.0)), atol=1e-14)
+    assert_allclose(late, simulate(Plant(), shifted, duration=1.0).x, atol=1e-14)
 
 
 def test_the_amplifier_changes_no_faster_than_its_slew_rate():
-    states = simulate(Plant(rotors=Rotors(slew=20.0)), (12.0, 0.0), duration=1.0)
-    u = np.array([state.voltage for state in states])
-    assert_allclose(np.abs(np.diff(u, axis=0)).max(), 20.0 * 0.02, rtol=1e-12)
-    assert_allclose(u[-1], [12.0, 0.0])
+    u = simulate(Plant(rotors=Rotors(slew=20.0)), (12.0, 0.0), duration=1.0).motor
+    assert_allclose(np.abs(np.diff(u)).max(), 20.0 * 0.02, rtol=1e-12)
+    assert_allclose(u[:, -1], [12.0, 0.0])
 
 
 def test_viscous_friction_lets_free_travel_die_out_exponentially():
     plant = Plant(friction=Friction(viscous=(0.4, 0.0, 0.0)))
-    assert_allclose(path(simulate(plant, x=(0, 0.5, 0, 0, 0, 0)))[1, -1], 0.5 * math.exp(-0.4 * 2.0), rtol=1e-8)
+    assert_allclose(simulate(plant, x=(0, 0.5, 0, 0, 0, 0)).x[1, -1], 0.5 * math.exp(-0.4 * 2.0), rtol=1e-8)
 
 
 def test_coulomb_friction_takes_the_same_speed_off_whatever_the_speed():
     plant = Plant(friction=Friction(coulomb=(0.05, 0.0, 0.0)))
     for rate in (0.5, -1.0):
-        change = path(simulate(plant, x=(0, rate, 0, 0, 0, 0)))[1, -1] - rate
-        assert_allclose(change, -math.copysign(0.05 * 2.0, rate), rtol=1e-6)
+        change = simulate(plant, x=(0, rate, 0, 0, 0, 0)).x[1, -1] - rate
+        assert_allclose(change, -math.copysign(0.05 * 2.0, rate), rtol=0.5 * (COULOMB_RATE / 0.4) ** 2)
 
 
 def test_encoders_count_whole_steps_and_are_off_by_half_a_step_at_most():
     sensors = Sensors(counts=(100, 200, 300))
-    for state in simulate(Plant(sensors=sensors), (9.0, 7.5))[1:]:
-        steps = 2.0 * math.pi / np.array(sensors.counts)
-        counted = np.array(state.angles) / steps
-        assert_allclose(counted, np.round(counted), atol=1e-9)
-        assert (np.abs(np.array(state.angles) - state.x[0::2]) <= 0.5 * steps + 1e-12).all()
+    flight = simulate(Plant(sensors=sensors), (9.0, 7.5))
+    steps = 2.0 * math.pi / np.array(sensors.counts)[:, None]
+    counted = flight.measured[0::2] / steps
+    assert_allclose(counted, np.round(counted), atol=1e-9)
+    assert (np.abs(flight.measured[0::2] - flight.x[0::2]) <= 0.5 * steps + 1e-12).all()
 
 
 def test_estimated_rates_converge_to_a_constant_rate():
-    states = simulate(Plant(sensors=Sensors(counts=(10**9,) * 3, rate_filter=0.05)), x=(0, 0.7, 0, 0, 0, 0))
-    assert_allclose(states[-1].rates[0], 0.7, rtol=1e-6)
+    flight = simulate(Plant(sensors=Sensors(counts=(10**9,) * 3, rate_filter=0.05)), x=(0, 0.7, 0, 0, 0, 0))
+    assert_allclose(flight.measured[1, -1], 0.7, rtol=1e-6)
 
 
 def test_noise_has_the_standard_deviation_that_was_asked_for():
-    states = simulate(Plant(sensors=Sensors(counts=(10**9,) * 3, noise=0.01)), duration=40.0)
-    errors = np.array([np.array(state.angles) - state.x[0::2] for state in states[1:]])
-    assert_allclose(errors.std(axis=0), 0.01, rtol=0.06)
+    flight = simulate(Plant(sensors=Sensors(counts=(10**9,) * 3, noise=0.01)), duration=40.0)
+    errors = flight.measured[0::2] - flight.x[0::2]
+    assert_allclose(errors.std(axis=1), 0.01, rtol=0.06)
+    assert_allclose(np.corrcoef(errors[:, 1:], errors[:, :-1]), np.eye(6), atol=0.08)
 
 
 @pytest.mark.parametrize(("axis", "row"), [("travel", 1), ("elevation", 3), ("pitch", 5)])
 def test_a_push_changes_the_rate_by_acceleration_times_duration(axis, row):
     plant = Plant(disturbances=(Push(axis, acceleration=2.0, time=0.1, duration=0.05),))
-    before, after = (path(simulate(plant, duration=duration))[row, -1] for duration in (0.1, 0.16))
+    before, after = (simulate(plant, duration=duration).x[row, -1] for duration in (0.1, 0.16))
     assert before == pytest.approx(0.0, abs=1e-12)
     assert after == pytest.approx(0.1, rel=1e-2)
 
 
 def test_a_gust_has_its_standard_deviation_and_correlation_time():
-    rng = np.random.default_rng(0)
     plant = Plant(disturbances=(Gust("pitch", strength=0.5, correlation_time=0.4),))
-    state, values = at_rest(plant, LEVEL, HOVER), []
-    for k in range(20000):
-        state = advance(plant, state._replace(x=LEVEL), HOVER, k * 0.05, 0.05, rng)
-        values.append(state.gusts[0])
-    values = np.array(values)
+    values = simulate(plant, duration=1000.0, dt=0.05).gust
+    assert values[0] == 0.0
     assert_allclose(values.std(), 0.5, rtol=0.05)
     assert_allclose(np.corrcoef(values[:-8], values[8:])[0, 1], math.exp(-1.0), atol=0.05)
 
 
 def test_a_moved_mass_is_a_change_of_a2():
     moved = Plant(disturbances=(MovingMass(a2_change=0.05, time=-1.0, duration=0.5),))
-    assert_allclose(
-        path(simulate(moved)), path(simulate(Plant(P._replace(a2=P.a2 + 0.05)), dt=0.005))[:, ::4], atol=1e-9
-    )
+    assert_allclose(simulate(moved).x, simulate(Plant(P._replace(a2=P.a2 + 0.05)), dt=0.005).x[:, ::4], atol=1e-9)
 
 
 def test_a_rotor_fault_takes_its_share_of_one_thrust_from_its_time_on():
-    states = path(simulate(Plant(disturbances=(RotorFault("front", loss=0.3, time=1.0),))))
+    states = simulate(Plant(disturbances=(RotorFault("front", loss=0.3, time=1.0),))).x
     assert_allclose(states[:, :51], 0.0, atol=1e-12)
     lost = 0.3 * float(thrust(HOVER[0], P))
     assert states[5, -1] == pytest.approx(-P.b3 * lost * 1.0, rel=0.2)

@@ -65,3 +65,93 @@ def test_each_helicopter_flies_what_a_single_environment_with_its_seed_flies(mod
         assert_same(shown, without_plant, f"step {k}")
         ends += int((actual[2] | actual[3]).sum())
     assert ends >= n
+
+
+def test_make_vec_makes_the_native_one():
+    envs = gym.make_vec("heli_gym:Heli3DOF-v0", num_envs=3, autoreset_mode="SameStep")
+    assert isinstance(envs.unwrapped, Heli3DOFVectorEnv)
+    assert envs.metadata["autoreset_mode"] is AutoresetMode.SAME_STEP
+    observation, _ = envs.reset(seed=0)
+    assert envs.observation_space.contains(observation)
+
+
+def test_a_masked_reset_starts_those_that_are_meant_and_leaves_the_others():
+    envs = Heli3DOFVectorEnv(4, plant="lab", reference="travel-90-climb", autoreset_mode="Disabled")
+    mask = np.array([True, False, False, True])
+    envs.reset(seed=0)
+    before = envs.step(np.full((4, 2), 0.3))
+    observation, info = envs.reset(options={"reset_mask": mask})
+    assert_array_equal(observation[~mask], before[0][~mask])
+    assert_array_equal(info["time"], np.where(mask, 0.0, 0.02))
+    assert_array_equal(info["_state"], mask)
+    assert [plant is None for plant in info["plant"]] == list(~mask)
+
+
+def test_a_flight_that_is_over_has_to_be_reset_where_nothing_does_it():
+    envs = Heli3DOFVectorEnv(2, autoreset_mode=AutoresetMode.DISABLED)
+    envs.reset(seed=0)
+    over = np.zeros(2, bool)
+    while not over.any():
+        _, _, terminated, truncated, _ = envs.step(np.array([[0.3, 0.3], [1.0, -1.0]]))
+        over = terminated | truncated
+    with pytest.raises(gym.error.ResetNeeded, match=r"\[1\]"):
+        envs.step(np.zeros((2, 2)))
+    envs.reset(options={"reset_mask": over})
+    envs.step(np.zeros((2, 2)))
+
+
+def test_arrays_that_are_handed_out_are_not_written_again():
+    envs = Heli3DOFVectorEnv(2, plant="lab", start_spread_deg=3.0)
+    first = envs.reset(seed=0)
+    kept = [first[0].copy(), first[1]["state"].copy()]
+    second = envs.step(np.zeros((2, 2)))
+    kept += [second[0].copy(), second[4]["state"].copy()]
+    for _ in range(10):
+        envs.step(np.ones((2, 2)))
+    for array, copy in zip((first[0], first[1]["state"], second[0], second[4]["state"]), kept):
+        assert_array_equal(array, copy)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: Heli3DOFVectorEnv(0), "num_envs = 0"),
+        (lambda: Heli3DOFVectorEnv(2.0), "num_envs = 2.0"),
+        (lambda: Heli3DOFVectorEnv(2, dtype="float16"), "dtype = 'float16'"),
+        (lambda: Heli3DOFVectorEnv(2, autoreset_mode="Never"), "autoreset_mode = 'Never'"),
+        (lambda: Heli3DOFVectorEnv(2, render_mode="human"), "render_mode = 'human'"),
+        (lambda: Heli3DOFVectorEnv(2, plant=["lab"]), "plant: 1 values"),
+        (lambda: Heli3DOFVectorEnv(2, plant=["lab", "rigid"]), "either all plants"),
+        (lambda: Heli3DOFVectorEnv(2, reference="moon"), "reference = 'moon'"),
+        (lambda: Heli3DOFVectorEnv(2, colour="red"), "colour = 'red'"),
+        (lambda: Heli3DOFVectorEnv(2).reset(options={"mask": 1}), "only 'state'"),
+        (lambda: Heli3DOFVectorEnv(2).reset(options={"reset_mask": [True, False]}), "reset_mask"),
+        (lambda: Heli3DOFVectorEnv(2).reset(options={"state": np.full(6, 9.0)}), "options\\['state'\\]"),
+        (lambda: Heli3DOFVectorEnv(2).reset(options={"time": [0.0]}), "options\\['time'\\]"),
+        (lambda: Heli3DOFVectorEnv(2).reset(seed=[1, 2, 3]), "seed = "),
+    ],
+)
+def test_what_is_not_known_is_refused_by_name(make, message):
+    with pytest.raises(ValueError, match=message):
+        make()
+
+
+@pytest.mark.parametrize(
+    ("actions", "message"),
+    [
+        (np.zeros(2), "actions of shape"),
+        (np.zeros((3, 2)), "actions of shape"),
+        (np.array([[0.0, 0.0], [np.nan, 0.0]]), r"actions\[1\]"),
+        (np.array([[0.0, np.inf], [0.0, 0.0]], np.float32), r"actions\[0\]"),
+    ],
+)
+def test_bad_actions_are_refused_by_name(actions, message):
+    envs = Heli3DOFVectorEnv(2)
+    envs.reset(seed=0)
+    with pytest.raises(ValueError, match=message):
+        envs.step(actions)
+
+
+def test_stepping_before_a_reset_is_refused():
+    with pytest.raises(gym.error.ResetNeeded):
+        Heli3DOFVectorEnv(2).step(np.zeros((2, 2)))

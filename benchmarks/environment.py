@@ -1,0 +1,182 @@
+"""How fast the environment is, beside others: one table of steps per second and of ratios.
+
+    python benchmarks/environment.py [--quick] [--table out/environment.md]
+
+Gymnasium's environments are always there; EnvPool and gymnax are measured where they can be imported. All rates are
+medians of runs that take turns, so that a machine that slows down slows all of them down: quote the ratios.
+"""
+
+import argparse
+import os
+import statistics
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+
+import gymnasium as gym
+import numpy as np
+
+import heli_gym  # noqa: F401  registers Heli3DOF-v0
+
+HELI = "Heli3DOF-v0"
+SIZES = (1, 64, 1024, 16384)
+ACTIONS = 8  # drawn ahead
+Runner = Callable[[], int]  # flies for a while, and tells how many steps that were
+
+
+def one(env: gym.Env, steps: int = 500) -> Runner:
+    """Random actions in one environment, episodes following each other."""
+    env.action_space.seed(0)
+    actions = [near_hover(env.action_space.sample()) for _ in range(512)]
+    env.reset(seed=0)
+
+    def run() -> int:
+        for k in range(steps):
+            _, _, terminated, truncated, _ = env.step(actions[k % 512])
+            if terminated or truncated:
+                env.reset()
+        return steps
+
+    return run
+
+
+def many(envs: gym.vector.VectorEnv, n: int) -> Runner:
+    """The same in a vector environment, which resets by itself."""
+    envs.action_space.seed(0)
+    actions = [near_hover(envs.action_space.sample()) for _ in range(ACTIONS)]
+    envs.reset(seed=0)
+    rounds = max(2, 20000 // n)
+
+    def run() -> int:
+        for k in range(rounds):
+            envs.step(actions[k % ACTIONS])
+        return rounds * n
+
+    return run
+
+
+def near_hover(action):
+    """Actions that keep a helicopter in the air for a while; those of other environments as they are."""
+    is_heli = isinstance(action, np.ndarray) and action.dtype == np.float32 and action.shape[-1] == 2
+    return (0.315 + 0.02 * action).astype(np.float32) if is_heli else action
+
+
+def envpool_runner(name: str, n: int) -> Runner:
+    """EnvPool with one thread. Raises ImportError where it is not installed."""
+    import envpool
+
+    envs = envpool.make(name, env_type="gymnasium", num_envs=n, batch_size=n, num_threads=1, seed=0)
+    envs.reset()
+    rng = np.random.default_rng(0)
+    actions = [
+        rng.uniform(-2, 2, (n, 1)).astype(np.float32)
+        if name == "Pendulum-v1"
+        else rng.integers(0, 2, n).astype(np.int32)
+        for _ in range(ACTIONS)
+    ]
+    rounds = max(2, 20000 // n)
+
+    def run() -> int:
+        for k in range(rounds):
+            envs.step(actions[k % ACTIONS])
+        return rounds * n
+
+    return run
+
+
+def gymnax_runner(name: str, n: int) -> Runner:
+    """gymnax, compiled for the CPU. Raises ImportError where it is not installed."""
+    import gymnax
+    import jax
+
+    env, parameters = gymnax.make(name)
+    step = jax.jit(jax.vmap(env.step, in_axes=(0, 0, 0, None)))
+    keys = jax.random.split(jax.random.key(0), n)
+    _, state = jax.jit(jax.vmap(env.reset, in_axes=(0, None)))(keys, parameters)
+    rng = np.random.default_rng(0)
+    action = rng.uniform(-2, 2, (n, 1)).astype(np.float32) if name == "Pendulum-v1" else rng.integers(0, 2, n)
+    rounds = max(2, 20000 // n)
+    held = [state]
+
+    def run() -> int:
+        for _ in range(rounds):
+            observation, held[0], *_ = step(keys, held[0], action, parameters)
+            np.asarray(observation)
+        return rounds * n
+
+    return run
+
+
+def rates(runners: dict[str, Runner], seconds: float, turns: int = 7) -> dict[str, float]:
+    """Steps per second of each, the median over turns that they take one after the other."""
+    measured: dict[str, list[float]] = {name: [] for name in runners}
+    for run in runners.values():
+        run()  # compiles
+    for _ in range(turns):
+        for name, run in runners.items():
+            steps, begin = 0, time.perf_counter()
+            while (took := time.perf_counter() - begin) < seconds:
+                steps += run()
+            measured[name].append(steps / took)
+    return {name: statistics.median(values) for name, values in measured.items()}
+
+
+def peers_of_many(n: int) -> dict[str, Runner]:
+    """Those of EnvPool and gymnax, as far as they are installed."""
+    found = {}
+    for name, make in (("EnvPool, 1 thread", envpool_runner), ("gymnax", gymnax_runner)):
+        for task in ("Pendulum-v1", "Acrobot-v1"):
+            try:
+                found[f"{task}, {name}"] = make(task, n)
+            except ImportError:
+                print(f"{name} is not installed")
+    return found
+
+
+def table_of_one(seconds: float) -> list[str]:
+    """`env.step` with the default wrappers."""
+    peers = {name: one(gym.make(name)) for name in ("Pendulum-v1", "Acrobot-v1", "CartPole-v1")}
+    ours = {f"{HELI} {plant}": one(gym.make(HELI, plant=plant)) for plant in ("nominal", "lab", "rigid")}
+    found = rates(peers | ours, seconds)
+    lines = ["| one environment | steps/s | of Pendulum-v1 |", "|---|---|---|"]
+    return lines + [f"| {name} | {rate:,.0f} | {rate / found['Pendulum-v1']:.2f} |" for name, rate in found.items()]
+
+
+def table_of_many(n: int, seconds: float) -> list[str]:
+    """One step of many environments."""
+    cartpole = "CartPole-v1, Gymnasium's own"
+    runners = {cartpole: many(gym.make_vec("CartPole-v1", n, "vector_entry_point"), n)}
+    if n <= 64:
+        runners["Pendulum-v1, SyncVectorEnv"] = many(gym.make_vec("Pendulum-v1", n, "sync"), n)
+    runners |= peers_of_many(n)
+    for plant, dtype in (("nominal", "float64"), ("nominal", "float32"), ("lab", "float64"), ("rigid", "float64")):
+        runners[f"{HELI} {plant}, {dtype}"] = many(gym.make_vec(HELI, n, plant=plant, dtype=dtype), n)
+    found = rates(runners, seconds)
+    lines = [f"| {n} environments | env-steps/s | ns | of CartPole-v1 |", "|---|---|---|---|"]
+    return lines + [
+        f"| {name} | {rate:,.0f} | {1e9 / rate:.1f} | {rate / found[cartpole]:.2f} |" for name, rate in found.items()
+    ]
+
+
+def main() -> None:
+    """Measures, prints, and writes the table."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--quick", action="store_true", help="a tenth of the time")
+    parser.add_argument("--sizes", type=int, nargs="*", default=SIZES, help="how many environments")
+    parser.add_argument("--table", type=Path, help="a Markdown file to write")
+    args = parser.parse_args()
+    seconds = 0.05 if args.quick else 0.5
+    lines = [f"Load of the machine: {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores; Gymnasium {gym.__version__}"]
+    lines += ["", *table_of_one(seconds)]
+    for n in args.sizes:
+        lines += ["", *table_of_many(n, seconds)]
+    print("\n".join(lines))
+    if args.table:
+        args.table.parent.mkdir(parents=True, exist_ok=True)
+        args.table.write_text("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()
