@@ -128,8 +128,9 @@ class Heli3DOFEnv(gym.Env):
 
     - `plant`: "nominal", "lab", "rigid", or a `heli_gym.plant.Plant`, which may combine friction, rotors, sensors,
       pushes, gusts, a moving mass and rotor faults.
-    - `reference`: the name of a packaged reference ("travel-360"), the path of an .npz file that `Trajectory.save`
-      wrote, or a `Trajectory`.
+    - `reference`: the name of a packaged reference ("back-60-descend", "climb-15", "climb-7.5", "descend-7.5",
+      "elevation-sine", "return-180", "take-off", "travel-180", "travel-360-slow", "travel-360", "travel-90-climb"), the
+      path of an .npz file that `Trajectory.save` wrote, or a `Trajectory`.
     - `control_period`: seconds between actions, 0.0001 to 0.05. The paper's is 0.001.
     - `pitch_limit`: rad, where the flight ends.
     - `voltage_limits`: V, the amplifier's (min, max).

@@ -21,7 +21,7 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 PACKAGES = ("heli_gym", "baselines", "train")
 MODULES = [path for package in PACKAGES for path in sorted((ROOT / package).rglob("*.py"))]
 MAY_IMPORT = {"heli_gym": set(), "baselines": {"heli_gym"}, "train": {"heli_gym", "baselines"}}
-EXTRAS = {"heli_gym": (), "baselines": ("eval",), "train": ("eval", "train")}
+EXTRAS = {"heli_gym": (), "baselines": ("eval",), "train": ("eval", "ocp", "train")}
 
 
 def imported(path: Path) -> set[str]:
