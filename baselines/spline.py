@@ -27,6 +27,7 @@ TOLERANCE = 1e-7  # rad/s² and N
 ITERATIONS = {"smoothest": 80, "fastest": 300}
 SWING = 0.8  # share of the pitch limit to which the guess swings
 EASY = 2.0  # how much more time than travel alone takes, about, the search for the fastest plan starts from
+STRETCHES = (1.0, 1.6, 0.7, 1.25, 2.5, 4.0)  # of that, from which it starts until one leads to a plan
 LEAST_STRETCH = 0.05  # share of the way from one duration to another at which lengthening gives up
 TIGHTENINGS = 5  # of the thrust bounds, where a plan exceeds them between the points at which they hold
 
@@ -155,17 +156,21 @@ def easy_duration(maneuver: Maneuver) -> float:
 def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline, Trajectory] | None:
     """The fastest plan, whatever the maneuver's duration; `check` may end the search by what it raises.
 
-    With few segments first, from a duration that is easy; what that leads to is where more start from.
+    With few segments first, from a duration that is easy, or one that is easier; what that leads to is where more start
+    from.
     """
-    start, barrier, found = guess(maneuver, easy_duration(maneuver), SEGMENTS[0]), COLD, None
-    for segments in SEGMENTS:
-        check()
-        if len(start.coefficients) - REST < segments:
-            start = refined(start)
-        found = planned(maneuver, fastest, start, barrier) or found
+    for stretch in STRETCHES:
+        start, barrier, found = guess(maneuver, stretch * easy_duration(maneuver), SEGMENTS[0]), COLD, None
+        for segments in SEGMENTS:
+            check()
+            if len(start.coefficients) - REST < segments:
+                start = refined(start)
+            found = planned(maneuver, fastest, start, barrier) or found
+            if found is not None:
+                start, barrier = found[0], WARM
         if found is not None:
-            start, barrier = found[0], WARM
-    return found
+            return found
+    return None
 
 
 def plan_lengthened(maneuver: Maneuver, start: Spline, check: Callable[[], None]) -> Trajectory | None:

@@ -8,6 +8,7 @@ holds. The ghost shows the reference that is to be followed. Escape ends.
 import argparse
 import math
 import sys
+import warnings
 from itertools import combinations
 from typing import Any
 
@@ -139,7 +140,8 @@ def fly(env: gym.Env, seed: int | None = None) -> None:
     Raises gymnasium.error.DependencyNotInstalled without pygame.
     """
     actions, rest = mapping(env)
-    from gymnasium.utils.play import play  # loads pygame too
+    with warnings.catch_warnings(action="ignore"):  # of matplotlib without Tk, for plots that are not drawn here
+        from gymnasium.utils.play import play  # loads pygame too
 
     rewards = []
 
