@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable, Sequence
-from sys import getrefcount
 from typing import Any
 
 import numpy as np
@@ -34,7 +33,6 @@ from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.task import reference_features
 from heli_gym.trajectory import Trajectory
 
-POOL = 4  # pairs of arrays, at most, that wait for being used again
 SUBSTEP = 10e-3  # s, at most, of the integration where there is more than (3)
 
 
@@ -104,7 +102,7 @@ class Simulation:
 
     Args:
         plants: (N) of each helicopter, with ranges or without.
-        references: (N) that each follows, or what draws one for each flight.
+        references: (N) that each follows.
         control_period: s.
         voltage_limits: V, the amplifier's.
         pitch_limit: rad, where a flight ends.
@@ -180,10 +178,9 @@ class Simulation:
         """Finds the compiled functions, which are not pickled."""
         self.kernels = kernels.kernels(self.blocks.dtype.type, self.rhs)
         self.flat_table = self.table.reshape(-1)
-        self.pool: list[tuple[np.ndarray, np.ndarray]] = []
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in vars(self).items() if name not in ("kernels", "flat_table", "pool")}
+        return {name: value for name, value in vars(self).items() if name not in ("kernels", "flat_table")}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         vars(self).update(state)
@@ -221,18 +218,9 @@ class Simulation:
         )
 
     def arrays(self) -> tuple[np.ndarray, np.ndarray]:
-        """For observations (N, 49), and for what is told, the first rows (self.told, N).
-
-        New ones, or such that nobody holds any more: to have the system clear fresh memory of this size takes longer
-        than the step.
-        """
-        for pair, held in zip(self.pool, references_to(self.pool)):
-            if held == UNHELD:
-                return pair
+        """New ones for observations (N, 49), and for what is told, the first rows (self.told, N)."""
         n = len(self.plants)
-        pair = np.empty((n, OBSERVED), np.float32), np.empty((self.told, n), self.blocks.dtype)
-        self.pool = [*self.pool[-POOL + 1 :], pair]
-        return pair
+        return np.empty((n, OBSERVED), np.float32), np.empty((self.told, n), self.blocks.dtype)
 
     def tell(self, helicopters: np.ndarray, observation: np.ndarray, told: np.ndarray) -> None:
         """What these helicopters (n,) observe and tell now, into their parts of such arrays."""
@@ -272,14 +260,6 @@ class Simulation:
         """These rows of all helicopters, (count, N)."""
         shown = self.blocks.reshape(-1, self.size // ROW, ROW)[:, first : first + count, :LANES]
         return shown.transpose(1, 0, 2).reshape(count, len(shown) * LANES)[:, : len(self.plants)]
-
-
-def references_to(pairs: Sequence[tuple[Any, Any]]) -> list[tuple[int, int]]:
-    """How many references there are to the objects of each pair, those that this takes to count included."""
-    return [(getrefcount(a), getrefcount(b)) for a, b in pairs]
-
-
-UNHELD = references_to([(np.empty(1), np.empty(1))])[0]
 
 
 def group_by_identity(values: Sequence) -> list[tuple[Any, np.ndarray]]:
