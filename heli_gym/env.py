@@ -287,7 +287,7 @@ class Heli3DOFEnv(gym.Env):
         state = told[X : X + 6]
         return {
             "state": state,
-            "measurement": told[MEASURED : MEASURED + 6] if len(told) > MEASURED else state,
+            "measurement": told[MEASURED : MEASURED + 6] if len(told) > MEASURED else state.copy(),
             "time": self.step_count * self.control_period,
             "plant": self.drawn_plant,
         }

@@ -37,7 +37,7 @@ class Heli3DOFVectorEnv(VectorEnv):
 
     `info["plant"]`, an object array, is there after a `reset` only; `plant_of` tells at any time. `options["plant"]`
     of a `reset` flies another plant, in all helicopters and until the next `reset`. All arrays that are handed out are
-    new; where sensors are exact, `info["measurement"]` is `info["state"]`.
+    new.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "autoreset_mode": AutoresetMode.NEXT_STEP}  # noqa: RUF012
@@ -256,7 +256,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         return {
             "state": state,
             "_state": mask,
-            "measurement": told[MEASURED : MEASURED + 6].T if len(told) > MEASURED else state,
+            "measurement": told[MEASURED : MEASURED + 6].T if len(told) > MEASURED else state.copy(),
             "_measurement": mask,
             "time": self.control_period * told[STEP],
             "_time": mask,
@@ -280,7 +280,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         for i in ended:
             info["final_obs"][i] = observation[i].copy()
         self._begin(ended, observation, told)
-        info["time"] = self.control_period * told[STEP]
+        info.update(self._info(told, self.all))
         info["_voltage"] = info["_cost"] = ~over
         self.over, self.is_waiting = np.zeros(self.num_envs, bool), False
 

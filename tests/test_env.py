@@ -102,6 +102,14 @@ def test_changing_what_was_handed_out_does_not_change_the_flight():
         assert_array_equal(observation, env.step((0.3, 0.2))[0])
 
 
+def test_changing_the_measurement_that_was_handed_out_does_not_change_the_state():
+    env = Heli3DOFEnv()
+    for info in (env.reset(seed=0)[1], env.step((0.3, 0.2))[4]):
+        state = info["state"].copy()
+        info["measurement"] += 1.0
+        assert_array_equal(info["state"], state)
+
+
 # Reproducibility
 
 

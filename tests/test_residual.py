@@ -1,5 +1,6 @@
 import json
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -7,12 +8,13 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from baselines import fly, make_policy
 from baselines.flight import fly_many
-from baselines.residual import Learned, Network, ResidualPolicy, learned_policy, load_learned, save_learned
+from baselines.residual import LEARNED, Learned, Network, ResidualPolicy, learned_policy, load_learned, save_learned
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 REFERENCE = find_reference("travel-360")
 SHORT = find_reference("climb-7.5")
+RESULTS = Path(__file__).parents[1] / "results"
 
 
 def network(features, seed=0, squashes=False):
@@ -61,15 +63,24 @@ def test_many_at_once_fly_what_each_flies_alone(base):
         assert_allclose(flight.x, alone.x, atol=1e-9)
 
 
-def test_the_features_do_not_depend_on_the_plant_but_through_what_is_measured():
+@pytest.mark.parametrize("base", ["feedforward+tvlqr", "kalman-lqr"])
+def test_a_reset_forgets_the_last_flight_and_without_one_it_is_remembered(base):
     rng = np.random.default_rng(0)
-    measurements = SHORT.x[:, [0]] + 0.01 * rng.standard_normal((6, 20))
-    seen = []
-    for _ in range(2):
-        policy = ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, nothing, 1.0)
-        rows = [policy.observe(0.02 * k, measurement)[1] for k, measurement in enumerate(measurements.T)]
-        seen.append(np.array(rows))
-    assert_array_equal(*seen)
+    measurements = (SHORT.x[:, [0]] + 0.01 * rng.standard_normal((6, 20))).T
+    policy = ResidualPolicy(make_policy(base, SHORT), SHORT, network(features_of(base)), 1.0)
+    first, remembering = ([policy(0.02 * k, m) for k, m in enumerate(measurements)] for _ in range(2))
+    policy.reset(rng)
+    again = [policy(0.02 * k, m) for k, m in enumerate(measurements)]
+    assert_array_equal(again, first)
+    assert np.abs(np.array(remembering) - first).max() > 1e-6
+
+
+@pytest.mark.parametrize("plant", ["lab", "rigid"])
+def test_the_policies_of_the_package_are_those_of_the_first_seed(plant):
+    (settings, shipped), (other, first) = (load_learned(path) for path in (LEARNED / plant, RESULTS / plant / "0/best"))
+    assert settings == other and settings.plant == plant
+    for a, b in zip((*shipped.weights, *shipped.biases), (*first.weights, *first.biases)):
+        assert_array_equal(a, b)
 
 
 def test_a_learned_policy_survives_the_disk_and_is_flown_from_there(tmp_path):

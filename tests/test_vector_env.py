@@ -155,3 +155,11 @@ def test_bad_actions_are_refused_by_name(actions, message):
 def test_stepping_before_a_reset_is_refused():
     with pytest.raises(gym.error.ResetNeeded):
         Heli3DOFVectorEnv(2).step(np.zeros((2, 2)))
+
+
+def test_changing_the_measurement_that_was_handed_out_does_not_change_the_state():
+    envs = Heli3DOFVectorEnv(3)
+    for info in (envs.reset(seed=0)[1], envs.step(np.full((3, 2), 0.3))[4]):
+        state = info["state"].copy()
+        info["measurement"] += 1.0
+        assert_array_equal(info["state"], state)
