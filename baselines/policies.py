@@ -131,8 +131,12 @@ class ModelPolicy:
 
     def replace_last(self, u: np.ndarray) -> None:
         """Tells what voltages (2, ...) were asked for after all, in place of those that were given last."""
-        if self.memory is None or not self.memory.pending:
-            raise ValueError("replace_last: only voltages that are still delayed can be replaced")
+        if self.memory is None:
+            raise ValueError("replace_last: comes after voltages that were given")
+        if not self.memory.pending:
+            if self.actuator.lag or self.observer is not None:
+                raise ValueError("replace_last: without a delay, the voltages given last have already been simulated")
+            return  # nothing is simulated with them
         pending = (*self.memory.pending[:-1], np.clip(u, *self.voltage_limits))
         self.memory = self.memory._replace(pending=pending)
 

@@ -51,7 +51,7 @@ def test_a_correction_is_the_scaled_action_on_top_of_the_base_and_no_larger_than
     assert_allclose(policy(0.0, measurement) - base(0.0, measurement), [0.2, -0.4], atol=1e-12)
 
 
-@pytest.mark.parametrize("base", ["feedforward+tvlqr", "kalman-lqr"])
+@pytest.mark.parametrize("base", ["feedforward+tvlqr", "lqi", "kalman-lqr"])
 def test_many_at_once_fly_what_each_flies_alone(base):
     def policy():
         return ResidualPolicy(make_policy(base, SHORT), SHORT, network(features_of(base)), 1.0)
