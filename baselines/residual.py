@@ -1,9 +1,7 @@
 """A learned correction on top of a controller: u = sat(u_base + scale a), with a in [-1, 1]² from a small network.
 
-The network sees what the controller sees, and nothing of the plant's draw: the tracking error and its integrals, the
-voltages of the base policy, nominal and last corrected, the disturbances and rotor speeds that the base policy
-estimates (where it is a `ModelPolicy`), the reference now and ahead, and past errors and corrections. It is stored as
-safetensors beside a JSON file with its settings and the SHA-256 of the weights, and flown by numpy.
+The network sees what the controller sees, and nothing of the plant's draw: see `GROUPS`. It is stored as safetensors
+beside a JSON file with its settings and the SHA-256 of the weights, and flown by numpy.
 """
 
 import json
@@ -25,6 +23,14 @@ from heli_gym.trajectory import Trajectory
 LEARNED = Path(__file__).parent / "learned"  # the policies that come with the package: of the first seed on each plant
 AHEAD = (0.0, 0.2, 0.4, 0.8)  # s, at which the network sees the reference
 BEFORE = (0.1, 0.2, 0.4)  # s, at which it sees past errors and corrections
+GROUPS = {
+    "error": "of all six states, in tolerances",
+    "integral": "of the errors of travel and elevation",
+    "voltages": "of the base policy, nominal, and the last correction",
+    "estimate": "of the disturbances and the rotor speeds, by the base policy, where it is a `ModelPolicy`",
+    "preview": "of the reference, now and ahead",
+    "past": "errors of the angles, and corrections",
+}
 STATE_SCALE = np.array([math.pi, 1.0, 0.2, 0.5, 1.0, 2.0])  # rad and rad/s, of the reference
 DISTURBANCE_SCALE, INTEGRAL_SCALE, LARGEST = 0.2, 0.1, 5.0  # rad/s², rad s, and what features are clipped to
 
@@ -47,6 +53,10 @@ class ResidualPolicy:
         scale: V, the greatest correction.
         control_period: s.
         voltage_limits: V, the amplifier's.
+        sees: which of `GROUPS` the network is shown.
+
+    Raises:
+        ValueError: for a scale that is negative or not finite, or an unknown group.
     """
 
     base: Policy
@@ -55,11 +65,14 @@ class ResidualPolicy:
     scale: float
     control_period: float = 0.02
     voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
+    sees: tuple[str, ...] = tuple(GROUPS)
     memory: Memory | None = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.scale) and self.scale >= 0.0):
             raise ValueError(f"scale = {self.scale!r}: a finite number of volts, at least 0, is needed")
+        if not self.sees or not set(self.sees) <= set(GROUPS):
+            raise ValueError(f"sees = {self.sees!r}: some of {', '.join(map(repr, GROUPS))} are needed")
         self.x, self.u = control_grid(self.reference, self.control_period)
         ahead = [control_grid(self.reference, self.control_period, seconds)[0] for seconds in AHEAD]
         self.preview = np.concatenate([(x / STATE_SCALE[:, None])[1:] for x in ahead])
@@ -84,20 +97,24 @@ class ResidualPolicy:
             self.memory = Memory(np.zeros((2, *batch)), np.zeros((max(self.past_steps), 5, *batch)))
         error = measurement - beside(self.x[:, k], measurement)
         past = self.memory.past
-        rows = [
-            error / beside(np.array(TOLERANCE), measurement),
-            self.memory.integral / INTEGRAL_SCALE,
-            to_action(u_base, self.voltage_limits),
-            to_action(beside(self.u[:, k], measurement) + np.zeros_like(u_base), self.voltage_limits),
-            past[0, 3:],
-        ]
+        groups = {
+            "error": [error / beside(np.array(TOLERANCE), measurement)],
+            "integral": [self.memory.integral / INTEGRAL_SCALE],
+            "voltages": [
+                to_action(u_base, self.voltage_limits),
+                to_action(beside(self.u[:, k], measurement) + np.zeros_like(u_base), self.voltage_limits),
+                past[0, 3:],
+            ],
+            "estimate": [],
+            "preview": [beside(self.preview[:, k], measurement) + np.zeros((1, *measurement.shape[1:]))],
+            "past": [past[step - 1] for step in self.past_steps],
+        }
         if isinstance(self.base, ModelPolicy) and self.base.memory is not None:
-            rows += [
+            groups["estimate"] = [
                 self.base.memory.disturbance / DISTURBANCE_SCALE,
                 to_action(self.base.memory.rotors, self.voltage_limits),
             ]
-        rows += [beside(self.preview[:, k], measurement) + np.zeros((1, *measurement.shape[1:]))]
-        rows += [past[step - 1] for step in self.past_steps]
+        rows = [row for group in GROUPS if group in self.sees for row in groups[group]]
         return u_base, np.clip(np.concatenate(rows), -LARGEST, LARGEST)
 
     def correct(
@@ -132,6 +149,7 @@ class Learned:
     features: int
     hidden: tuple[int, ...]
     squashes: bool  # whether the actions are the tanh of the last layer
+    sees: tuple[str, ...] = tuple(GROUPS)  # what of GROUPS it is shown
 
 
 class Network(NamedTuple):
@@ -178,7 +196,8 @@ def load_learned(path: str | os.PathLike) -> tuple[Learned, Network]:
         described = json.loads(path.with_suffix(".json").read_text())
         data = path.with_suffix(".safetensors").read_bytes()
         digest = described.pop("sha256")
-        settings = Learned(**{**described, "hidden": tuple(described["hidden"])})
+        lists = {name: tuple(value) for name, value in described.items() if isinstance(value, list)}
+        settings = Learned(**{**described, **lists})
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         raise ValueError(f"path = {str(path)!r}: no learned policy: {error}") from error
     if sha256(data).hexdigest() != digest:
@@ -203,4 +222,4 @@ def learned_policy(
             f"{settings.control_period:g} s"
         )
     base = make_policy(settings.base, reference, control_period, parameters)
-    return ResidualPolicy(base, reference, network, settings.scale, control_period)
+    return ResidualPolicy(base, reference, network, settings.scale, control_period, sees=settings.sees)

@@ -8,12 +8,22 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from baselines import fly, make_policy
 from baselines.flight import fly_many
-from baselines.residual import LEARNED, Learned, Network, ResidualPolicy, learned_policy, load_learned, save_learned
+from baselines.residual import (
+    GROUPS,
+    LEARNED,
+    Learned,
+    Network,
+    ResidualPolicy,
+    learned_policy,
+    load_learned,
+    save_learned,
+)
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 REFERENCE = find_reference("travel-360")
 SHORT = find_reference("climb-7.5")
+START = SHORT.x[:, 0]
 RESULTS = Path(__file__).parents[1] / "results"
 
 
@@ -30,7 +40,7 @@ def nothing(features):
 
 def features_of(base):
     policy = ResidualPolicy(make_policy(base, SHORT), SHORT, None, 1.0)
-    return len(policy.observe(0.0, SHORT.x[:, 0])[1])
+    return len(policy.observe(0.0, START)[1])
 
 
 @pytest.mark.parametrize("base", ["feedforward+tvlqr", "kalman-lqr", "lag-lqi"])
@@ -83,9 +93,20 @@ def test_the_policies_of_the_package_are_those_of_the_first_seed(plant):
         assert_array_equal(a, b)
 
 
+def test_a_network_sees_the_groups_that_it_is_shown_and_each_of_them_counts():
+    def shown(*sees):
+        policy = ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, None, 1.0, sees=sees)
+        return policy.observe(0.0, START)[1]
+
+    parts = [shown(group) for group in GROUPS]
+    assert all(len(part) for part in parts)
+    assert_array_equal(np.concatenate(parts), shown(*GROUPS))
+
+
 def test_a_learned_policy_survives_the_disk_and_is_flown_from_there(tmp_path):
-    count = features_of("kalman-lqr")
-    settings = Learned("kalman-lqr", 1.5, "climb-7.5", "lab", 0.02, count, (16, 8), False)
+    sees = ("error", "estimate")
+    count = len(ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, None, 1.0, sees=sees).observe(0.0, START)[1])
+    settings = Learned("kalman-lqr", 1.5, "climb-7.5", "lab", 0.02, count, (16, 8), False, sees)
     save_learned(tmp_path / "one", settings, network(count))
     again, loaded = load_learned(tmp_path / "one")
     assert again == settings
@@ -93,7 +114,7 @@ def test_a_learned_policy_survives_the_disk_and_is_flown_from_there(tmp_path):
     assert_allclose(loaded(features), network(count)(features), atol=1e-6)
 
     env = Heli3DOFEnv("lab", SHORT)
-    policy = ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, loaded, 1.5)
+    policy = ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, loaded, 1.5, sees=sees)
     by_path = make_policy(str(tmp_path / "one.json"), SHORT)
     assert_array_equal(fly(env, policy, seed=0).x, fly(env, by_path, seed=0).x)
 
@@ -121,6 +142,8 @@ def test_a_damaged_policy_is_refused_by_its_path(tmp_path, damage):
 def test_bad_settings_are_named(tmp_path):
     with pytest.raises(ValueError, match="scale = -1"):
         ResidualPolicy(make_policy("zero", SHORT), SHORT, nothing, -1.0)
+    with pytest.raises(ValueError, match=r"sees = .*'moon'"):
+        ResidualPolicy(make_policy("zero", SHORT), SHORT, nothing, 1.0, sees=("error", "moon"))
     save_learned(tmp_path / "one", Learned("zero", 1.0, "climb-7.5", "lab", 0.02, 4, (16, 8), False), network(4))
     with pytest.raises(ValueError, match=r"control_period = 0\.01"):
         make_policy(str(tmp_path / "one.json"), SHORT, 0.01)

@@ -77,7 +77,7 @@ def test_what_only_the_critic_sees_does_not_reach_the_actor():
         assert not torch.equal(agent.policy.predict_values(observation), agent.policy.predict_values(changed))
 
 
-@pytest.mark.parametrize("algo", ["ppo", "sac", "td3"])
+@pytest.mark.parametrize("algo", ["ppo", "sac", "td3", "tqc"])
 def test_the_network_for_numpy_is_the_agents(algo):
     vec = helicopters(privileged=algo == "ppo")
     agent = make_agent(replace(SMALL, algo=algo, buffer=1000), vec)
@@ -150,6 +150,7 @@ def test_there_is_nothing_to_go_on_from_in_an_empty_folder(tmp_path):
         ({"base": "moon"}, "base"),
         ({"seed": -1}, "seed"),
         ({"chunk": 33}, "chunk"),
+        ({"sees": ("moon",)}, "sees"),
         ({"plant": "moon"}, "plant"),
         ({"out": Path(__file__)}, "out"),
     ],

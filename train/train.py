@@ -30,7 +30,7 @@ from stable_baselines3.common.utils import set_random_seed
 from baselines.flight import fly_many
 from baselines.metrics import Metrics, flight_metrics
 from baselines.policies import POLICIES, make_policy
-from baselines.residual import Learned, Network, ResidualPolicy, save_learned
+from baselines.residual import GROUPS, Learned, Network, ResidualPolicy, save_learned
 from heli_gym.env import find_reference
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
@@ -53,6 +53,8 @@ class Args:
     mode: Literal["residual", "scratch"] = "residual"  # whether the agent corrects the base policy or flies alone
     base: str = "kalman-lqr"  # the policy that is corrected
     scale: float = 3.0  # V, the greatest correction
+    sees: tuple[str, ...] = tuple(GROUPS)  # what of `baselines.residual.GROUPS` the agent is shown
+    privileged: bool = True  # PPO: whether its critic sees the true errors and the draw of the plant too
     objective: Literal["tracking", "environment"] = "tracking"  # travel, elevation and cost, or the whole reward
     reference: str = "travel-360"
     seed: int = 0
@@ -92,7 +94,9 @@ def check(args: Args) -> None:
 def run_folder(args: Args) -> Path:
     """Where the run with these settings leaves what it leaves."""
     base = args.base if args.mode == "residual" else "scratch"
-    return args.out / f"{args.algo}-{args.plant}-{base}-{args.seed}"
+    hidden = "".join(f"-{name}" for name in GROUPS if name not in args.sees)
+    hidden += "" if args.privileged else "-privileged"
+    return args.out / f"{args.algo}-{args.plant}-{base}{hidden and f'-without{hidden}'}-{args.seed}"
 
 
 # The helicopters and the agent
@@ -101,8 +105,8 @@ def run_folder(args: Args) -> Path:
 def correcting(args: Args, reference: Any, network: Any = None) -> ResidualPolicy:
     """The policy that is learnt, with a network of its own or with the agent in its place."""
     if args.mode == "scratch":
-        return ResidualPolicy(make_policy(SCRATCH, reference), reference, network, 6.0)
-    return ResidualPolicy(make_policy(args.base, reference), reference, network, args.scale)
+        return ResidualPolicy(make_policy(SCRATCH, reference), reference, network, 6.0, sees=args.sees)
+    return ResidualPolicy(make_policy(args.base, reference), reference, network, args.scale, sees=args.sees)
 
 
 def make_agent(args: Args, helicopters: ResidualVecEnv) -> BaseAlgorithm:
@@ -194,7 +198,7 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
         Heli3DOFVectorEnv(args.envs, autoreset_mode="SameStep", **kinds),
         correcting(args, reference),
         args.objective,
-        privileged=args.algo == "ppo",
+        privileged=args.privileged and args.algo == "ppo",
     )
     judges = Heli3DOFVectorEnv(args.validation, **kinds)
     agent = make_agent(args, helicopters)
@@ -294,6 +298,7 @@ def learned(args: Args, helicopters: ResidualVecEnv) -> Learned:
         features=helicopters.seen,
         hidden=args.hidden,
         squashes=args.algo != "ppo",
+        sees=helicopters.policy.sees,
     )
 
 
