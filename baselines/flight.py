@@ -56,7 +56,8 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
             for another control period.
     """
     reference = envs.references[0]
-    if envs.random_start or any(other is not reference for other in envs.references):
+    same = all(other is reference for other in envs.references)
+    if not (isinstance(reference, Trajectory) and same) or envs.random_start:
         raise ValueError("envs: helicopters with the same reference, which start at its start, are needed")
     check_period(policy, envs.control_period)
     _, info = envs.reset(seed=seed)

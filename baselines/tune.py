@@ -71,7 +71,7 @@ def returns(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> np.ndarray:
     _, info = envs.reset(seed=seed)
     policy.reset(np.random.default_rng(seed))
     total, flying = np.zeros(envs.num_envs), np.ones(envs.num_envs, bool)
-    for k in range(control_steps(envs.references[0].duration, envs.control_period)):
+    for k in range(control_steps(envs.reference_of(0).duration, envs.control_period)):
         u = policy(k * envs.control_period, info["measurement"].T)
         _, rewards, terminated, truncated, info = envs.step(to_action(u, envs.voltage_limits).T)
         total += np.where(flying, rewards, 0.0)

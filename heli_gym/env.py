@@ -4,7 +4,7 @@ import inspect
 import math
 from numbers import Real
 from pathlib import Path
-from typing import Any
+from typing import Any, overload
 
 import gymnasium as gym
 import numpy as np
@@ -17,25 +17,34 @@ from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer, Scene
 from heli_gym.simulation import Simulation
-from heli_gym.trajectory import Trajectory
+from heli_gym.trajectory import Sampler, Trajectory
 
 ONLY = np.zeros(1, int)  # the only helicopter of its simulation
 REFERENCES = Path(__file__).parent / "references"
+LONGEST = 3600.0  # s, of what a sampler draws
 PERIODS = (1e-4, 0.05)  # s; up to the latter, one Runge-Kutta step through (3) is accurate to 1e-7
 
 
-def find_reference(reference: str | Trajectory) -> Trajectory:
-    """A reference by the name of a packaged one, by the path of an .npz file, or the trajectory itself.
+@overload
+def find_reference(reference: str | Trajectory) -> Trajectory: ...
+@overload
+def find_reference(reference: str | Trajectory | Sampler) -> Trajectory | Sampler: ...
+def find_reference(reference: str | Trajectory | Sampler) -> Trajectory | Sampler:
+    """A reference by the name of a packaged one, by the path of an .npz file, or the trajectory or sampler itself.
 
     Raises ValueError for an unknown name, or a file that holds no trajectory.
     """
     if isinstance(reference, Trajectory):
         return reference
+    if callable(reference):
+        _number("reference.duration", getattr(reference, "duration", None), "s", 1e-3, LONGEST)
+        return reference
     path = Path(reference) if str(reference).endswith(".npz") else REFERENCES / f"{reference}.npz"
     if not path.is_file():
         names = ", ".join(sorted(repr(known.stem) for known in REFERENCES.glob("*.npz")))
         raise ValueError(
-            f"reference = {reference!r}: a Trajectory, the path of an existing .npz file or one of {names} is needed"
+            f"reference = {reference!r}: a Trajectory, a sampler, the path of an existing .npz file or "
+            f"one of {names} is needed"
         )
     try:
         return Trajectory.load(path)
@@ -130,7 +139,9 @@ class Heli3DOFEnv(gym.Env):
       pushes, gusts, a moving mass and rotor faults.
     - `reference`: the name of a packaged reference ("back-60-descend", "climb-15", "climb-7.5", "descend-7.5",
       "elevation-sine", "return-180", "take-off", "travel-180", "travel-360-slow", "travel-360", "travel-90-climb"), the
-      path of an .npz file that `Trajectory.save` wrote, or a `Trajectory`.
+      path of an .npz file that `Trajectory.save` wrote, or a `Trajectory`. Or a sampler, which draws one for every
+      episode: a callable that takes the episode's random generator, with a `duration` in s that none it draws exceeds,
+      such as `baselines.ManeuverSampler`. What is flown now is the attribute `reference`.
     - `control_period`: seconds between actions, 0.0001 to 0.05. The paper's is 0.001.
     - `pitch_limit`: rad, where the flight ends.
     - `voltage_limits`: V, the amplifier's (min, max).
@@ -150,7 +161,7 @@ class Heli3DOFEnv(gym.Env):
     def __init__(
         self,
         plant: str | Plant = "nominal",
-        reference: str | Trajectory = "travel-360",
+        reference: str | Trajectory | Sampler = "travel-360",
         control_period: float = 0.02,
         pitch_limit: float = PITCH_STOP,
         voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS,
@@ -167,19 +178,21 @@ class Heli3DOFEnv(gym.Env):
         self.render_mode = render_mode
         self.renderer: Renderer | None = None
         self.plant = find_plant(plant)
-        self.reference = find_reference(reference)
+        self.source = find_reference(reference)
         self.control_period = _number("control_period", control_period, "s", *PERIODS)
         self.metadata = {**self.metadata, "render_fps": round(1.0 / self.control_period)}
-        steepest = float(np.abs(self.reference.x[4]).max())
+        x = self.source.x if isinstance(self.source, Trajectory) else np.zeros((6, 1))
+        steepest = float(np.abs(x[4]).max())
         self.pitch_limit = _number("pitch_limit", pitch_limit, "rad", steepest, np.pi / 2)
         self.voltage_limits = _pair("voltage_limits", voltage_limits)
-        room = np.degrees(min(self.pitch_limit - abs(self.reference.x[4, 0]), task.FARTHEST_START[0]))
+        room = np.degrees(min(self.pitch_limit - abs(x[4, 0]), task.FARTHEST_START[0]))
         self.start_spread_deg = _number("start_spread_deg", start_spread_deg, "deg", 0.0, room)
 
         self.random_start = bool(random_start)
         self.own_simulation = self.simulation = self._simulation(self.plant)
+        _, shown = self.simulation.shown[0]
         self.bound = task.observation_bound(
-            self.simulation.features(), self.plant, self.voltage_limits, self.pitch_limit, self.control_period
+            shown, self.plant, self.voltage_limits, self.pitch_limit, self.control_period
         ).astype(np.float32)
         self.observation_space = Box(-self.bound, self.bound, dtype=np.float32)
         self.action_space = Box(-1.0, 1.0, (2,), dtype=np.float32)
@@ -196,9 +209,8 @@ class Heli3DOFEnv(gym.Env):
             raise ValueError(f"options = {options!r}: only 'state' and 'plant' are known")
         plant = find_plant(options.get("plant", self.plant))
         simulation = self.own_simulation if plant is self.plant else self._simulation(plant)
-        state = self._start(options)
-        simulation.draw(0, self.np_random)
-        simulation.begin(ONLY, state)
+        reference = simulation.draw(0, self.np_random)
+        simulation.begin(ONLY, self._start(options, reference))
         self.drawn_plant = simulation.drawn_plant(0)
         self.simulation, self.step_one, self.told = simulation, simulation.kernels.step, simulation.told
         self.step_count = int(simulation.rows(STEP, 1)[0, 0])
@@ -234,6 +246,11 @@ class Heli3DOFEnv(gym.Env):
             self.render()
         return observation, told.item(REWARD), terminated, truncated, info
 
+    @property
+    def reference(self) -> Trajectory:
+        """What is to be followed in this episode."""
+        return self.simulation.reference_of(0)
+
     def render(self) -> np.ndarray | None:
         """The helicopter now: a picture (720, 960, 3), uint8, or None and a window, as the render mode says.
 
@@ -262,7 +279,7 @@ class Heli3DOFEnv(gym.Env):
         """Of one helicopter of this plant."""
         return Simulation(
             [plant],
-            [self.reference],
+            [self.source],
             self.control_period,
             self.voltage_limits,
             self.pitch_limit,
@@ -270,11 +287,11 @@ class Heli3DOFEnv(gym.Env):
             self.random_start,
         )
 
-    def _start(self, options: dict[str, Any]) -> np.ndarray | None:
+    def _start(self, options: dict[str, Any], reference: Trajectory) -> np.ndarray | None:
         """The state (1, 6) that the options ask for, if they do."""
         if "state" not in options:
             return None
-        nominal, state = self.reference.x[:, 0], _numbers(options["state"], 6)
+        nominal, state = reference.x[:, 0], _numbers(options["state"], 6)
         near = state is not None and (abs(state - nominal) <= task.FARTHEST_START).all()
         if state is None or not near or task.crashed(state[4], self.pitch_limit):
             raise ValueError(
@@ -296,7 +313,7 @@ class Heli3DOFEnv(gym.Env):
 def scene_of(simulation: Simulation, j: int) -> Scene:
     """What there is to draw of a helicopter of a simulation."""
     step, last, first = (int(simulation.rows(row, 1)[0, j]) for row in (STEP, LAST, TABLE))
-    reference = simulation.references[j]
+    reference = simulation.reference_of(j)
     return Scene(
         state=tuple(simulation.rows(X, 6)[:, j].tolist()),
         voltage=tuple(simulation.rows(ASKED, 2)[:, j].tolist()),

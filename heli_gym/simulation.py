@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from gymnasium.error import ResetNeeded
 
 from heli_gym import kernels, plant
 from heli_gym.kernels import (
@@ -30,8 +31,8 @@ from heli_gym.kernels import (
 )
 from heli_gym.plant import AXES, ROTORS, Gust, MovingMass, Plant, Push, RotorFault
 from heli_gym.rigid_body import RigidBodyParameters
-from heli_gym.task import reference_features
-from heli_gym.trajectory import Trajectory
+from heli_gym.task import FEATURES, Shown, control_steps, reference_features, shown_by, shown_by_any
+from heli_gym.trajectory import Sampler, Trajectory
 
 SUBSTEP = 10e-3  # s, at most, of the integration where there is more than (3)
 
@@ -102,7 +103,7 @@ class Simulation:
 
     Args:
         plants: (N) of each helicopter, with ranges or without.
-        references: (N) that each follows.
+        references: (N) that each follows, or what draws one for every flight.
         control_period: s.
         voltage_limits: V, the amplifier's.
         pitch_limit: rad, where a flight ends.
@@ -117,7 +118,7 @@ class Simulation:
     def __init__(
         self,
         plants: Sequence[Plant],
-        references: Sequence[Trajectory],
+        references: Sequence[Trajectory | Sampler],
         control_period: float,
         voltage_limits: tuple[float, float],
         pitch_limit: float,
@@ -125,7 +126,7 @@ class Simulation:
         random_start: bool = False,
         dtype: type = np.float64,
     ) -> None:
-        self.plants, self.references = list(plants), list(references)
+        self.plants, self.sources = list(plants), list(references)
         self.control_period, self.voltage_limits, self.pitch_limit = control_period, voltage_limits, pitch_limit
         all_plants = [p for p, _ in group_by_identity(plants)]
         self.rhs = right_hand_side(all_plants)
@@ -156,23 +157,42 @@ class Simulation:
         self.size = rows * ROW
         self.blocks = np.zeros(-(-len(plants) // LANES) * self.size, dtype)
         self.actions: np.ndarray = np.zeros(2 * len(plants), dtype)
+        self.references: list[Trajectory | None] = [None] * len(plants)  # of the present flights
+        self.drawn: dict[int, Trajectory] = {}  # those of the next flights, where they are not always the same
+        self.shown: list[tuple[Any, Shown]] = []  # by each source
         self.table: np.ndarray = self._table().astype(dtype)
         self._bind()
 
     def _table(self) -> np.ndarray:
-        """The references on the control grid, one below the other, each once, and where in it each helicopter's is."""
+        """The references on the control grid, one below the other, and where in it each helicopter's is.
+
+        A reference that many follow is there once; one that is drawn has rows of its own, as many as it can take.
+        """
         parts, first = [], 0
-        for reference, followers in group_by_identity(self.references):
-            features = reference_features(reference, self.control_period).T
-            limits = reference.limits
-            self.initial[TABLE, followers] = first
-            self.initial[LAST, followers] = len(features) - 1
-            self.initial[ASKED : ASKED + 2, followers] = reference.u[:, :1]
-            self.initial[LIMITS : LIMITS + 4, followers] = np.array([[*limits.u, *limits.pitch]]).T
-            parts.append(features)
-            first += len(features)
+        for source, followers in group_by_identity(self.sources):
+            if isinstance(source, Trajectory):
+                features = reference_features(source, self.control_period).T
+                self.shown.append((source, shown_by(features.T)))
+                parts.append(features)
+                for j in followers:
+                    self._follow(j, source)
+                self.initial[TABLE, followers] = first
+            else:
+                self.shown.append((source, shown_by_any(source.duration, self.voltage_limits, self.pitch_limit)))
+                count = control_steps(source.duration, self.control_period) + 1
+                self.initial[TABLE, followers] = first + count * np.arange(len(followers))
+                parts.append(np.zeros((count * len(followers), FEATURES)))
+            first += len(parts[-1])
         # a helicopter that waits for its next start is stepped on once more, and looks one row beyond the end
         return np.concatenate((*parts, parts[-1][-1:]))
+
+    def _follow(self, j: int, reference: Trajectory) -> None:
+        """Has the next flights of the helicopter j start as this reference does, and end when it does."""
+        limits = reference.limits
+        self.references[j] = reference
+        self.initial[LAST, j] = control_steps(reference.duration, self.control_period)
+        self.initial[ASKED : ASKED + 2, j] = reference.u[:, 0]
+        self.initial[LIMITS : LIMITS + 4, j] = *limits.u, *limits.pitch
 
     def _bind(self) -> None:
         """Finds the compiled functions, which are not pickled."""
@@ -186,10 +206,44 @@ class Simulation:
         vars(self).update(state)
         self._bind()
 
-    def draw(self, j: int, rng: np.random.Generator) -> None:
-        """Uniform numbers, of which the next flight of the helicopter j is made; where none matters, none is drawn."""
+    def draw(self, j: int, rng: np.random.Generator) -> Trajectory:
+        """The reference of the next flight of the helicopter j, and the uniform numbers of which the flight is made.
+
+        Where none matters, none is drawn. Raises ValueError for a reference that is none, or cannot be followed.
+        """
+        source = self.sources[j]
+        if isinstance(source, Trajectory):
+            reference = source
+        else:
+            reference = self.drawn[j] = self._checked(source, source(rng))
         if self.draws[j]:
             self.uniforms[j, : self.draws[j]] = rng.random(self.draws[j])
+        return reference
+
+    def _checked(self, source: Sampler, reference: Any) -> Trajectory:
+        """What a sampler has drawn, if the table has room for it and the observation's bounds hold."""
+        if not isinstance(reference, Trajectory):
+            raise ValueError(f"reference: {source!r} drew {reference!r}, and a Trajectory is needed")
+        if reference.duration > source.duration:
+            raise ValueError(
+                f"reference: {source!r} drew one of {reference.duration:g} s, "
+                f"and its `duration` is {source.duration:g} s"
+            )
+        shown = next(shown for other, shown in self.shown if other is source)
+        start, x_max, u_max = np.abs(reference.x[:, 0]), np.abs(reference.x).max(axis=1), np.abs(reference.u).max()
+        if (start > shown.start).any() or (x_max > shown.features[:6]).any() or u_max > shown.features[6]:
+            raise ValueError(
+                f"reference: {source!r} drew one that starts at {start} and reaches {x_max} rad and rad/s and "
+                f"{u_max:g} V; at most {shown.start}, {shown.features[:6]} and {shown.features[6]:g} V can be"
+            )
+        return reference
+
+    def reference_of(self, j: int) -> Trajectory:
+        """What the helicopter j follows in its present flight. Raises ResetNeeded where none is drawn yet."""
+        reference = self.references[j]
+        if reference is None:
+            raise ResetNeeded("no reference is drawn yet: call reset first")
+        return reference
 
     def drawn_plant(self, j: int) -> Plant:
         """The plant of the present flight of the helicopter j."""
@@ -202,6 +256,12 @@ class Simulation:
         From states (N, 6) and at times (N,) of their references in s, or from where and when the numbers drawn say.
         """
         n = len(self.plants)
+        for j in helicopters.tolist() if self.drawn else ():
+            if j in self.drawn:
+                reference, first = self.drawn.pop(j), int(self.initial[TABLE, j])
+                self._follow(j, reference)
+                features = reference_features(reference, self.control_period).T
+                self.table[first : first + len(features)] = features
         steps = np.full(n, -1.0)
         if times is not None:
             steps = np.clip(np.round(times / self.control_period), 0.0, self.initial[LAST] - 1.0)
@@ -246,10 +306,6 @@ class Simulation:
             self.blocks, self.settings, self.flat_table, self.actions, observation.reshape(-1), told.reshape(-1)
         )
         return over, observation, told
-
-    def features(self) -> np.ndarray:
-        """What all references show at all their steps (8 len(PREVIEW) + 1, K)."""
-        return self.table.T
 
     def errors(self) -> np.ndarray:
         """Tracking errors (6, N) of the true states, now."""

@@ -4,11 +4,11 @@ Pure functions that broadcast: components first, floats or arrays alike.
 """
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from heli_gym.parameters import Limits
+from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.plant import Plant
 from heli_gym.trajectory import Trajectory
 
@@ -21,6 +21,7 @@ TOLERANCE = tuple(math.radians(degrees) for degrees in (3.0, 6.0, 3.0, 6.0, 6.0,
 EFFORT_TOLERANCE = 6.0  # V, from the nominal voltage, likewise
 
 FARTHEST_START = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # rad and rad/s, between a start and the reference's
+FARTHEST_DRAWN = (math.tau, 1.0, 1.0, 1.0, 1.0, 1.0)  # rad and rad/s, where references that are drawn start at most
 
 
 def to_voltage(action: Any, voltage_limits: tuple[float, float]) -> Any:
@@ -96,31 +97,52 @@ def reference_features(reference: Trajectory, control_period: float) -> np.ndarr
     return np.concatenate((*seen, np.maximum(reference.duration - t, 0.0)[None]))
 
 
+class Shown(NamedTuple):
+    """What references show at most, in absolute values."""
+
+    start: np.ndarray  # (6,) states at the start
+    features: np.ndarray  # (8 len(PREVIEW) + 1,)
+
+
+def shown_by(features: np.ndarray) -> Shown:
+    """What a reference with these features (8 len(PREVIEW) + 1, K + 1) shows."""
+    features = np.abs(features)
+    return Shown(features[:6, 0], features.max(axis=1))
+
+
+def shown_by_any(duration: float, voltage_limits: tuple[float, float], pitch_limit: float) -> Shown:
+    """What references of at most this duration in s show that obey (3) from a start within `FARTHEST_DRAWN`."""
+    start = np.array(FARTHEST_DRAWN)
+    u_max = np.abs(voltage_limits).max()
+    state = reached(start, greatest_acceleration(HelicopterParameters(), u_max), duration)
+    state[4] = pitch_limit
+    return Shown(start, np.array([*state, u_max, u_max] * len(PREVIEW) + [duration]))
+
+
+def greatest_acceleration(p: HelicopterParameters, u_max: float) -> np.ndarray:
+    """The accelerations (3,) in rad/s² that (3) cannot exceed with voltages up to u_max in V."""
+    v_max = 2.0 * max(abs(p.k_plus), abs(p.k_minus)) * u_max**2
+    return np.array([abs(p.b1) * v_max, abs(p.a1) + abs(p.a2) + abs(p.b2) * v_max, abs(p.a3) + abs(p.b3) * v_max])
+
+
+def reached(start: np.ndarray, acceleration: np.ndarray, duration: float) -> np.ndarray:
+    """States (6,) that cannot be exceeded in a duration in s, from a start (6,) at accelerations (3,)."""
+    rate = start[1::2] + acceleration * duration
+    angle = start[0::2] + (start[1::2] + 0.5 * acceleration * duration) * duration
+    return np.stack((angle, rate), axis=1).ravel()
+
+
 def observation_bound(
-    features: np.ndarray,
-    plant: Plant,
-    voltage_limits: tuple[float, float],
-    pitch_limit: float,
-    control_period: float,
+    shown: Shown, plant: Plant, voltage_limits: tuple[float, float], pitch_limit: float, control_period: float
 ) -> np.ndarray:
     """Bounds (8 + features,) on the absolute value of the observation that no flight can exceed.
 
     Rates grow by the greatest acceleration that (3) and the amplifier allow, for the whole duration; pitch ends the
     flight at its limit, one control period late at most. Whatever a plant adds to (3) is allowed as much again.
     """
-    p = plant.parameters
     u_max = np.abs(voltage_limits).max()
-    v_max = 2.0 * max(abs(p.k_plus), abs(p.k_minus)) * u_max**2
-    acceleration = np.array(
-        [abs(p.b1) * v_max, abs(p.a1) + abs(p.a2) + abs(p.b2) * v_max, abs(p.a3) + abs(p.b3) * v_max]
-    )
-    if not plant.is_plain:
-        acceleration *= 2.0
-    duration = control_period * features.shape[1]
-    start = np.abs(features[:6, 0]) + FARTHEST_START
-    rate = start[1::2] + acceleration * duration
-    angle = start[0::2] + (start[1::2] + 0.5 * acceleration * duration) * duration
-    angle[2] = pitch_limit + rate[2] * control_period
-    reached = np.stack((angle, rate), axis=1).ravel()
-    shown = np.abs(features).max(axis=1)
-    return np.concatenate((reached + shown[:6], np.maximum(u_max, shown[6:8]), shown))
+    acceleration = greatest_acceleration(plant.parameters, u_max) * (1.0 if plant.is_plain else 2.0)
+    duration = control_period * (control_steps(shown.features[-1], control_period) + 1)
+    state = reached(shown.start + FARTHEST_START, acceleration, duration)
+    state[4] = pitch_limit + state[5] * control_period
+    return np.concatenate((state + shown.features[:6], np.maximum(u_max, shown.features[6:8]), shown.features))

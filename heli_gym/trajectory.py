@@ -5,6 +5,7 @@ import os
 from dataclasses import dataclass, field
 from numbers import Real
 from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 
@@ -145,6 +146,17 @@ class Trajectory:
             raise
         except Exception as error:
             raise ValueError(f"path = {str(path)!r} holds no trajectory: {error}") from error
+
+
+class Sampler(Protocol):
+    """Draws a reference for every flight; the same from the same state of the generator. `baselines` has one."""
+
+    @property
+    def duration(self) -> float:
+        """Of the longest reference it draws, in s."""
+
+    def __call__(self, rng: np.random.Generator) -> Trajectory:
+        """The reference of one flight."""
 
 
 def joined(first: Trajectory, second: Trajectory) -> Trajectory:

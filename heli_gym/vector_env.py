@@ -19,7 +19,7 @@ from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer
 from heli_gym.simulation import Simulation
-from heli_gym.trajectory import Trajectory
+from heli_gym.trajectory import Sampler, Trajectory
 
 
 class Heli3DOFVectorEnv(VectorEnv):
@@ -30,14 +30,14 @@ class Heli3DOFVectorEnv(VectorEnv):
     Args:
         num_envs: how many helicopters.
         plant: one for all, or a sequence of one each; either all have a rig, or none.
-        reference: one for all, or a sequence of one each.
+        reference: one for all, or a sequence of one each. Where a sampler draws them, each helicopter has its own.
         autoreset_mode: "NextStep", "SameStep" or "Disabled", or gymnasium's `AutoresetMode`.
         dtype: of the simulation, "float64" or "float32"; the latter is faster for many helicopters, and accurate to
             about 1e-5 over a flight.
 
-    `info["plant"]`, an object array, is there after a `reset` only; `plant_of` tells at any time. `options["plant"]`
-    of a `reset` flies another plant, in all helicopters and until the next `reset`. All arrays that are handed out are
-    new.
+    `info["plant"]`, an object array, is there after a `reset` only; `plant_of` and `reference_of` tell at any time what
+    a helicopter is and what it follows. `options["plant"]` of a `reset` flies another plant, in all helicopters and
+    until the next `reset`. All arrays that are handed out are new.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "autoreset_mode": AutoresetMode.NEXT_STEP}  # noqa: RUF012
@@ -46,7 +46,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         self,
         num_envs: int = 1,
         plant: str | Plant | Sequence[str | Plant] = "nominal",
-        reference: str | Trajectory | Sequence[str | Trajectory] = "travel-360",
+        reference: str | Trajectory | Sampler | Sequence[str | Trajectory | Sampler] = "travel-360",
         control_period: float = 0.02,
         pitch_limit: float = PITCH_STOP,
         voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS,
@@ -129,7 +129,6 @@ class Heli3DOFVectorEnv(VectorEnv):
         if len(seeds) != self.num_envs:
             raise ValueError(f"seed = {seed!r}: a whole number, or one for each of {self.num_envs}, is needed")
         helicopters = np.flatnonzero(mask)
-        states = self._states(options.get("state"))
         times = None if options.get("time") is None else np.asarray(options["time"], float)
         if times is not None and not (times.shape == (self.num_envs,) and np.isfinite(times).all()):
             raise ValueError(f"options['time'] = {options['time']!r}: finite times ({self.num_envs},) in s are needed")
@@ -144,8 +143,8 @@ class Heli3DOFVectorEnv(VectorEnv):
             )
             self.over = np.zeros(self.num_envs, bool)
             self.has_begun = True
-        for i in helicopters.tolist():
-            self.simulation.draw(i, self.generators[i])
+        starts = [self.simulation.draw(i, self.generators[i]).x[:, 0] for i in helicopters.tolist()]
+        states = self._states(options.get("state"), helicopters, np.array(starts))
         self.simulation.begin(helicopters, states, times)
         observation, told = self.simulation.arrays()
         self.simulation.tell(self.everyone, observation, told)
@@ -189,6 +188,10 @@ class Heli3DOFVectorEnv(VectorEnv):
             self._end(info, observation, told, truncated)
         return observation, rewards, terminated, truncated, info
 
+    def reference_of(self, i: int) -> Trajectory:
+        """What the helicopter i is to follow in its flight."""
+        return self.simulation.reference_of(i)
+
     def plant_of(self, i: int) -> Plant:
         """The plant that was drawn for the flight of the helicopter i."""
         if not self.has_begun:
@@ -224,8 +227,8 @@ class Heli3DOFVectorEnv(VectorEnv):
             self.dtype,
         )
 
-    def _states(self, value: Any) -> np.ndarray | None:
-        """The states (N, 6) that an option asks for, if it does."""
+    def _states(self, value: Any, helicopters: np.ndarray, starts: np.ndarray) -> np.ndarray | None:
+        """The states (N, 6) that an option asks for, if it does; these helicopters' references start at (n, 6)."""
         if value is None:
             return None
         try:
@@ -234,9 +237,8 @@ class Heli3DOFVectorEnv(VectorEnv):
             raise ValueError(
                 f"options['state'] = {value!r}: finite numbers (6,) or ({self.num_envs}, 6) are needed"
             ) from error
-        starts = np.array([reference.x[:, 0] for reference in self.references])
-        near = (np.abs(states - starts) <= np.array(task.FARTHEST_START)).all()
-        if not near or task.crashed(states[:, 4], self.pitch_limit).any():
+        near = (np.abs(states[helicopters] - starts) <= np.array(task.FARTHEST_START)).all()
+        if not near or task.crashed(states[helicopters, 4], self.pitch_limit).any():
             raise ValueError(
                 f"options['state'] = {value!r}: at most 1 rad and 1 rad/s from the references' starts, and the pitch "
                 f"within {self.pitch_limit:g} rad, is needed"

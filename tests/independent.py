@@ -10,6 +10,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from heli_gym import Maneuver, Trajectory, dynamics
+from heli_gym.env import find_reference
 
 TABLE_I = SimpleNamespace(
     k_plus=4.855e-3, k_minus=-1.503e-3, a1=-1.1713, a2=0.3946, a3=-0.5326, b1=-0.6354, b2=-0.6523, b3=4.6276
@@ -107,3 +108,12 @@ def shortest_time(maneuver: Maneuver, guess: Trajectory, intervals: int = 50) ->
     problem.set_initial(F, np.vectorize(equation_2)(u_guess))
     problem.solver("ipopt", {"print_time": False}, {"print_level": 0, "sb": "yes", "max_iter": 500})
     return float(problem.solve().value(T))
+
+
+class EitherReference:
+    """A sampler: one of two packaged references, of 5 and 7 s."""
+
+    duration = 7.0
+
+    def __call__(self, rng):
+        return find_reference(["climb-7.5", "back-60-descend"][rng.integers(2)])

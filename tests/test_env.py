@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 import warnings
+from dataclasses import replace
 from importlib.resources import files
 
 import gymnasium as gym
@@ -18,18 +19,19 @@ from gymnasium.envs.registration import EnvSpec
 from gymnasium.utils.env_checker import check_env
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from independent import equation_3, hover, inputs
+from independent import EitherReference, equation_3, hover, inputs
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.integrate import solve_ivp
 from stable_baselines3.common.env_checker import check_env as check_env_for_sb3
 
 import heli_gym  # noqa: F401, registers Heli3DOF-v0
-from baselines import fly, make_policy
+from baselines import ManeuverSampler, fly, make_policy
 from heli_gym import Trajectory
 from heli_gym.env import Heli3DOFEnv, find_reference
 
 REFERENCE = find_reference("travel-360")
 VARIANTS = [{}, {"start_spread_deg": 5.0}, {"control_period": 0.03, "voltage_limits": (-1.0, 10.0), "pitch_limit": 0.9}]
+RANDOM_MANEUVERS = Heli3DOFEnv(reference=ManeuverSampler())
 CORNER = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0]  # rad and rad/s, as far from the default reference as a flight may start
 
 
@@ -525,3 +527,88 @@ def test_a_start_beyond_the_pitch_limit_is_refused():
     env.reset(options={"state": [0.0, 0.0, 0.0, 0.0, 0.89, 0.0]})
     with pytest.raises(ValueError, match="options"):
         env.reset(options={"state": [0.0, 0.0, 0.0, 0.0, 0.91, 0.0]})
+
+
+# References that are drawn
+
+
+def test_a_sampler_draws_another_reference_for_every_flight_and_the_same_for_the_same_seed():
+    env = gym.make("Heli3DOF-v0", reference=EitherReference())
+    with pytest.raises(gym.error.ResetNeeded, match="drawn"):
+        _ = env.unwrapped.reference
+    durations = []
+    for seed in (0, *[None] * 9):
+        observation, _ = env.reset(seed=seed)
+        durations.append(env.unwrapped.reference.duration)
+        assert_allclose(observation[8:14], env.unwrapped.reference.x[:, 0], atol=1e-6)
+        assert observation[48] == durations[-1]
+    rng = np.random.default_rng(0)
+    assert durations == [EitherReference()(rng).duration for _ in range(10)] and len(set(durations)) == 2
+
+
+def test_an_environment_with_a_sampler_passes_the_checker_and_is_pickled():
+    env = Heli3DOFEnv("lab", EitherReference(), start_spread_deg=3.0)
+    check_env(env, skip_render_check=True)
+    env.reset(seed=4)
+    other = pickle.loads(pickle.dumps(env))
+    for action in np.random.default_rng(0).uniform(0.2, 0.4, (700, 2)):
+        (a, *_, over, _), (b, *_) = env.step(action), other.step(action)
+        assert_array_equal(a, b)
+        if over:
+            a, b = env.reset()[0], other.reset()[0]
+            assert_array_equal(a, b)
+
+
+@given(seed=st.integers(0, 10_000))
+@settings(max_examples=8, deadline=None)
+def test_the_observations_of_random_maneuvers_are_within_the_space(seed):
+    env = RANDOM_MANEUVERS
+    observation, _ = env.reset(seed=seed)
+    policy = make_policy("feedforward+tvlqr", env.reference)
+    over = False
+    while not over:
+        assert env.observation_space.contains(observation)
+        u = policy(env.step_count * env.control_period, env.simulation.rows(0, 6)[:, 0])
+        observation, _, terminated, over, _ = env.step(u / 6.0 - 1.0)
+        assert not terminated
+    assert np.abs(env.simulation.errors()[::2]).max() < 1e-2  # the nominal plant follows them
+
+
+class Drawn:
+    def __init__(self, value, duration=1.0):
+        self.value, self.duration = value, duration
+
+    def __call__(self, rng):
+        return self.value
+
+
+@pytest.mark.parametrize(
+    ("sampler", "said"),
+    [
+        (Drawn("travel-360"), "drew 'travel-360', and a Trajectory is needed"),
+        (Drawn(REFERENCE), "drew one of 10 s, and its `duration` is 1 s"),
+        (Drawn(replace(REFERENCE, x=3.0 * REFERENCE.x), 10.0), "reaches"),
+        (Drawn(replace(REFERENCE, u=2.0 * REFERENCE.u), 10.0), "reaches"),
+        (Drawn(replace(REFERENCE, x=REFERENCE.x + 7.0), 10.0), "starts at"),
+    ],
+    ids=["no trajectory", "too long", "too steep", "too strong", "too far away"],
+)
+def test_what_a_sampler_must_not_draw_is_named_at_reset(sampler, said):
+    env = Heli3DOFEnv(reference=sampler)
+    with pytest.raises(ValueError, match=f"reference: .*{said}"):
+        env.reset(seed=0)
+
+
+@pytest.mark.parametrize("duration", [None, 0.0, math.inf, "long"])
+def test_a_sampler_without_a_duration_is_refused(duration):
+    with pytest.raises(ValueError, match=r"reference\.duration = "):
+        Heli3DOFEnv(reference=Drawn(REFERENCE, duration))
+
+
+def test_a_start_is_given_relative_to_the_reference_that_is_drawn():
+    env = Heli3DOFEnv(reference=Drawn(find_reference("take-off"), 8.0))
+    start = find_reference("take-off").x[:, 0] + 0.9
+    _, info = env.reset(seed=0, options={"state": start})
+    assert_array_equal(info["state"], start)
+    with pytest.raises(ValueError, match="state"):
+        env.reset(seed=0, options={"state": start + 0.2})

@@ -2,6 +2,7 @@ import gymnasium as gym
 import numpy as np
 import pytest
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
+from independent import EitherReference
 from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym.env import Heli3DOFEnv
@@ -17,6 +18,7 @@ ARGUMENTS = [
     {"start_spread_deg": 5.0, "plant": "lab"},
     {"random_start": True, "plant": "rigid"},
     {"plant": GUSTY, "control_period": 0.05},
+    {"plant": "lab", "reference": EitherReference(), "random_start": True, "start_spread_deg": 2.0},
 ]
 
 
@@ -39,7 +41,7 @@ def assert_same(actual, expected, where):
 
 
 @pytest.mark.parametrize("mode", [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP])
-@pytest.mark.parametrize("arguments", ARGUMENTS, ids=["nominal", "lab", "rigid", "gusty"])
+@pytest.mark.parametrize("arguments", ARGUMENTS, ids=["nominal", "lab", "rigid", "gusty", "drawn references"])
 def test_each_helicopter_flies_what_a_single_environment_with_its_seed_flies(mode, arguments):
     n, rng = 3, np.random.default_rng(0)
     together = Heli3DOFVectorEnv(n, autoreset_mode=mode, **arguments)
@@ -163,3 +165,32 @@ def test_changing_the_measurement_that_was_handed_out_does_not_change_the_state(
         state = info["state"].copy()
         info["measurement"] += 1.0
         assert_array_equal(info["state"], state)
+
+
+def test_helicopters_with_the_same_sampler_fly_references_of_their_own_which_end_when_they_do():
+    sampler = EitherReference()
+    envs = Heli3DOFVectorEnv(8, reference=sampler, autoreset_mode="SameStep", pitch_limit=1.5)
+    with pytest.raises(gym.error.ResetNeeded, match="drawn"):
+        envs.reference_of(0)
+    envs.reset(seed=0)
+    expected = [sampler(np.random.default_rng(seed)).duration for seed in range(8)]
+    assert [envs.reference_of(i).duration for i in range(8)] == expected and len(set(expected)) == 2
+    ends = np.zeros(8)
+    for k in range(1, 351):
+        u = np.array([envs.reference_of(i)(0.02 * k - 0.01)[1] for i in range(8)])
+        *_, truncated, _ = envs.step(u / 6.0 - 1.0)
+        ends[truncated & (ends == 0.0)] = 0.02 * k
+    assert_allclose(ends, expected)
+
+
+def test_a_reset_of_some_renews_their_references_only():
+    envs = Heli3DOFVectorEnv(6, reference=EitherReference(), autoreset_mode="Disabled")
+    envs.reset(seed=0)
+    before = [envs.reference_of(i) for i in range(6)]
+    mask = np.arange(6) == 2
+    for seed in range(4):
+        observation, _ = envs.reset(seed=seed, options={"reset_mask": mask})
+        expected = EitherReference()(np.random.default_rng(seed + 2))
+        assert_array_equal(envs.reference_of(2).x, expected.x)
+        assert_allclose(observation[2, 48], expected.duration)
+        assert all(envs.reference_of(i) is before[i] for i in range(6) if i != 2)

@@ -53,7 +53,7 @@ class Args:
 
 def measured(envs: Heli3DOFVectorEnv, name: str, seed: int) -> np.ndarray:
     """The metrics (len(METRICS), draws) of a policy, in degrees, s and shares."""
-    reference = envs.references[0]
+    reference = envs.reference_of(0)
     flights = fly_many(envs, make_policy(name, reference, envs.control_period), seed)
     return np.array([metrics_of(flight, reference, envs) for flight in flights]).T
 

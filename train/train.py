@@ -168,7 +168,7 @@ def network_of(agent: BaseAlgorithm) -> Network:
 
 def validate(args: Args, agent: BaseAlgorithm | None, envs: Heli3DOFVectorEnv, seed: int) -> dict[str, Any]:
     """Means over flights of the helicopters, seeded from `seed` on, with the agent or, without one, the base alone."""
-    reference = envs.references[0]
+    reference = envs.reference_of(0)
     network = network_of(agent) if agent else lambda features: np.zeros((2, *features.shape[1:]))
     flights = fly_many(envs, correcting(args, reference, network), seed)
     metrics = [flight_metrics(flight, reference, envs.voltage_limits) for flight in flights]
