@@ -35,8 +35,8 @@ class Compiler:
         self.dtype, self.names, self.loops, self.careful = dtype, names, loops, careful
         self.known: dict[Callable, Callable] = {}
 
-    def entry(self, function: Any, version: str) -> Callable:
-        """A function that Python calls, kept on disk.
+    def entry(self, function: Any, version: str, signature: Any = None) -> Callable:
+        """A function that Python calls, kept on disk; with a signature, other arguments are a TypeError.
 
         The version has to tell apart what may be compiled under this name: numba itself looks only at the function and
         its file, and at the values in its closure, which the version is put into.
@@ -50,7 +50,7 @@ class Compiler:
         code = code.replace(co_freevars=("version",), co_consts=self.of_dtype(code.co_consts))
         copy = FunctionType(code, self.meanings(function), function.__name__, function.__defaults__, key.__closure__)
         copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
-        return numba.njit(copy, cache=True, error_model="numpy", fastmath=FAST)
+        return numba.njit(signature, cache=True, error_model="numpy", fastmath=FAST)(copy)
 
     def part(self, function: Any) -> Callable:
         """A function that compiled functions call."""

@@ -12,7 +12,21 @@ from gymnasium.spaces import Box
 from numpy.typing import ArrayLike
 
 from heli_gym import task
-from heli_gym.kernels import ASKED, COST, LAST, MEASURED, OBSERVED, REWARD, STEP, TABLE, TERMINATED, X
+from heli_gym.kernels import (
+    ARRIVED,
+    ASKED,
+    CRASHED,
+    FLYING,
+    LAST,
+    MEASURED,
+    NOT_FINITE,
+    OBSERVED,
+    STEP,
+    TABLE,
+    TOLD_AND_MEASURED,
+    X,
+    one_step,
+)
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer, Scene
@@ -20,6 +34,7 @@ from heli_gym.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
 
 ONLY = np.zeros(1, int)  # the only helicopter of its simulation
+STATE, MEASUREMENT, VOLTAGE = slice(X, X + 6), slice(MEASURED, MEASURED + 6), slice(ASKED, ASKED + 2)  # of what is told
 REFERENCES = Path(__file__).parent / "references"
 LONGEST = 3600.0  # s, of what a sampler draws
 PERIODS = (1e-4, 0.05)  # s; up to the latter, one Runge-Kutta step through (3) is accurate to 1e-7
@@ -212,39 +227,47 @@ class Heli3DOFEnv(gym.Env):
         reference = simulation.draw(0, self.np_random)
         simulation.begin(ONLY, self._start(options, reference))
         self.drawn_plant = simulation.drawn_plant(0)
-        self.simulation, self.step_one, self.told = simulation, simulation.kernels.step, simulation.told
-        self.step_count = int(simulation.rows(STEP, 1)[0, 0])
+        self.simulation, self.memory, self.step_one = simulation, simulation.memory, one_step(simulation.rhs)
         self.over = False
         observation, told = simulation.arrays()
         simulation.tell(ONLY, observation, told)
         if self.render_mode == "human":
             self.render()
-        return observation[0], self._info(told[:, 0])
+        state = told[STATE, 0]
+        return observation[0], {
+            "state": state,
+            "measurement": told[MEASUREMENT, 0] if simulation.told == TOLD_AND_MEASURED else state.copy(),
+            "time": self.control_period * float(told[STEP, 0]),
+            "plant": self.drawn_plant,
+        }
 
     def step(self, action: ArrayLike) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
         """One control period with the voltages held. Raises ValueError for an action that is not two finite numbers."""
         if self.over:
             raise gym.error.ResetNeeded("the episode is over: call reset before step")
-        s, observation, told = self.simulation, np.empty(OBSERVED, np.float32), np.empty(self.told)
-        if type(action) is np.ndarray and action.dtype.char in "fd" and action.shape == (2,):
-            s.actions[:] = action
-        else:
-            s.actions[:] = two_numbers(action)
-        over = self.step_one(s.blocks, s.settings, s.flat_table, s.actions, observation, told)
-        if over < 0:
+        # What takes time here is Python's handling of arrays, not the flight: look at benchmarks/ before adding one.
+        observation, told = np.empty(OBSERVED, np.float32), np.empty(TOLD_AND_MEASURED)
+        try:
+            front, back = action.tolist()  # type: ignore[union-attr]
+            time, reward, cost, over = self.step_one(self.memory, front, back, observation, told)
+        except (AttributeError, TypeError, ValueError):  # no array of two numbers
+            time, reward, cost, over = self.step_one(self.memory, *two_numbers(action), observation, told)
+        if over == NOT_FINITE:
             raise ValueError(f"action = {action!r}: two finite numbers are needed")
-        self.step_count += 1
-        info = self._info(told)
-        info["voltage"], info["cost"] = told[ASKED : ASKED + 2], told.item(COST)
-        terminated = truncated = False
-        if over:
+        info = {
+            "state": told[STATE],
+            "measurement": told[MEASUREMENT],
+            "time": time,
+            "plant": self.drawn_plant,
+            "voltage": told[VOLTAGE],
+            "cost": cost,
+        }
+        if over != FLYING:
             self.over = True
-            terminated = told.item(TERMINATED) > 0.0
-            truncated = not terminated
-            info["is_success"] = truncated and bool(task.succeeded(s.errors()[:, 0]))
+            info["is_success"] = over == ARRIVED and bool(task.succeeded(self.simulation.errors()[:, 0]))
         if self.render_mode == "human":
             self.render()
-        return observation, told.item(REWARD), terminated, truncated, info
+        return observation, reward, over == CRASHED, over == ARRIVED, info
 
     @property
     def reference(self) -> Trajectory:
@@ -299,15 +322,6 @@ class Heli3DOFEnv(gym.Env):
                 f"reference's start {nominal} and with the pitch within {self.pitch_limit:g} rad, are needed"
             )
         return np.array([state])
-
-    def _info(self, told: np.ndarray) -> dict[str, Any]:
-        state = told[X : X + 6]
-        return {
-            "state": state,
-            "measurement": told[MEASURED : MEASURED + 6] if len(told) > MEASURED else state.copy(),
-            "time": self.step_count * self.control_period,
-            "plant": self.drawn_plant,
-        }
 
 
 def scene_of(simulation: Simulation, j: int) -> Scene:

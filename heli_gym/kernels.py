@@ -13,7 +13,8 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
 
-from numpy import cos, floor, sin
+from numba import types
+from numpy import cos, float64, floor, sin
 
 from heli_gym import elementary
 from heli_gym.compilation import Compiler, source_version
@@ -50,6 +51,7 @@ KIND, CHANNEL, AMOUNT, TIME, DURATION, CORRELATION, KEPT, GUST = range(8)
 PUSH, WANDER, SLIDE = range(3)
 
 OBSERVED = 8 + FEATURES  # numbers of an observation
+NOT_FINITE, FLYING, CRASHED, ARRIVED = -1, 0, 1, 2  # how a step of one helicopter ends
 # The uniform numbers that a start is made of: for the three angles, the time, the key; then those of the plant.
 START_ANGLES, START_TIME, START_KEY, START_PLANT = 0, 3, 4, 5
 
@@ -68,6 +70,9 @@ class Settings(NamedTuple):
     is_noisy: bool
     start_spread: float  # rad
     random_start: bool
+
+
+SETTINGS = 16  # numbers that are kept free for them before the blocks
 
 
 class Ranges(NamedTuple):
@@ -184,11 +189,14 @@ def put_six(block: Any, row: int, i: int, values: tuple) -> None:
 
 def command(block: Any, n: int, s: Settings, actions: Any, first: int) -> None:
     """The voltages asked for by the actions, two for each helicopter, within what the amplifier can do."""
-    limits = (s.u_low, s.u_high)
     for i in range(n):
         front, back = actions[2 * (first + i)], actions[2 * (first + i) + 1]
-        u_f, u_b = to_voltage(front, limits), to_voltage(back, limits)
-        put_two(block, ASKED, i, (min(max(u_f, s.u_low), s.u_high), min(max(u_b, s.u_low), s.u_high)))
+        put_two(block, ASKED, i, (saturated(front, s), saturated(back, s)))
+
+
+def saturated(action: Any, s: Settings) -> Any:
+    """The voltage of an action, within what the amplifier can do."""
+    return min(max(to_voltage(action, (s.u_low, s.u_high)), s.u_low), s.u_high)
 
 
 def amplify(block: Any, n: int, s: Settings) -> None:
@@ -516,6 +524,28 @@ def step(blocks: Any, settings: Any, table: Any, actions: Any, observation: Any,
     return int(over)
 
 
+def step_one(memory: Any, front: Any, back: Any, observation: Any, told: Any) -> tuple:
+    """A control step of a helicopter that is alone: time, reward, cost, and whether the flight is over, and how.
+
+    Python calls this some hundred thousand times a second, and handing over an array takes as long as a good part of
+    the equations: there are as few as can be, and numbers come and go as numbers. `memory` are the settings, then the
+    block, then the table; `told` the rows up to TOLD_AND_MEASURED.
+    """
+    if not (abs(front) < math.inf and abs(back) < math.inf):
+        return 0.0, 0.0, 0.0, NOT_FINITE
+    s = shared(memory)
+    size = ROW * (DISTURBANCES + DISTURBANCE * int(s.disturbances) + 2 * int(s.delay))
+    block, table = memory[SETTINGS : SETTINGS + size], memory[SETTINGS + size :]
+    put_two(block, ASKED, 0, (saturated(front, s), saturated(back, s)))
+    control_step(block, 1, s, table)
+    report(block, 1, s, table, 0, 1, observation, told)
+    if s.is_sensed == 0.0:
+        for k in range(6):
+            told[MEASURED + k] = told[X + k]
+    over = int(block[TERMINATED * ROW] + 2.0 * block[TRUNCATED * ROW])
+    return s.period * block[STEP * ROW], block[REWARD * ROW], block[COST * ROW], over
+
+
 LOOPS = (command, amplify, blow, disturb, integrate, make_noise, measure, look_up, judge, report)
 
 
@@ -538,6 +568,16 @@ def kernels(dtype: type, rhs: Callable) -> Kernels:
     return Kernels(
         start_up.entry(begin, version), start_up.entry(tell, version), compiler.entry(step, f"{version} {rhs.__name__}")
     )
+
+
+@cache
+def one_step(rhs: Callable) -> Callable:
+    """The compiled `step_one`, for double precision and one right-hand side."""
+    numbers = types.float64[::1]
+    arguments = numbers, types.float64, types.float64, types.float32[::1], numbers
+    returns = types.Tuple((*[types.float64] * 3, types.int64))
+    version = f"{source_version()} {rhs.__name__}"
+    return compiler_of(float64, rhs).entry(step_one, version, returns(*arguments))
 
 
 @cache

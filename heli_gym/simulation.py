@@ -18,6 +18,7 @@ from heli_gym.kernels import (
     OBSERVED,
     PUSH,
     ROW,
+    SETTINGS,
     SLIDE,
     START_PLANT,
     STEP,
@@ -126,7 +127,7 @@ class Simulation:
         random_start: bool = False,
         dtype: type = np.float64,
     ) -> None:
-        self.plants, self.sources = list(plants), list(references)
+        self.plants, self.sources, self.dtype = list(plants), list(references), dtype
         self.control_period, self.voltage_limits, self.pitch_limit = control_period, voltage_limits, pitch_limit
         all_plants = [p for p, _ in group_by_identity(plants)]
         self.rhs = right_hand_side(all_plants)
@@ -145,7 +146,6 @@ class Simulation:
             start_spread=start_spread,
             random_start=random_start,
         )
-        self.settings: np.ndarray = np.array(settings, dtype)
         self.told = TOLD_AND_MEASURED if settings.is_sensed else TOLD  # rows
         self.ranges = stacked_ranges(plants)
         drawn = start_spread > 0.0 or random_start or settings.is_noisy
@@ -155,12 +155,14 @@ class Simulation:
         rows = DISTURBANCES + DISTURBANCE * disturbances + 2 * delay
         self.initial = np.zeros((rows, len(plants)))  # of the blocks, at the start of a flight, but for what is drawn
         self.size = rows * ROW
-        self.blocks = np.zeros(-(-len(plants) // LANES) * self.size, dtype)
         self.actions: np.ndarray = np.zeros(2 * len(plants), dtype)
         self.references: list[Trajectory | None] = [None] * len(plants)  # of the present flights
         self.drawn: dict[int, Trajectory] = {}  # those of the next flights, where they are not always the same
         self.shown: list[tuple[Any, Shown]] = []  # by each source
-        self.table: np.ndarray = self._table().astype(dtype)
+        # one array, for Python takes time to hand over each
+        parts = np.array(settings), np.zeros(-(-len(plants) // LANES) * self.size), self._table().reshape(-1)
+        pad = np.zeros(SETTINGS - len(settings))
+        self.memory: np.ndarray = np.concatenate((parts[0], pad, *parts[1:]), dtype=dtype)
         self._bind()
 
     def _table(self) -> np.ndarray:
@@ -195,12 +197,15 @@ class Simulation:
         self.initial[LIMITS : LIMITS + 4, j] = *limits.u, *limits.pitch
 
     def _bind(self) -> None:
-        """Finds the compiled functions, which are not pickled."""
-        self.kernels = kernels.kernels(self.blocks.dtype.type, self.rhs)
-        self.flat_table = self.table.reshape(-1)
+        """Finds the compiled functions, and the parts of the memory: what is not pickled."""
+        self.kernels = kernels.kernels(self.dtype, self.rhs)
+        end = SETTINGS + -(-len(self.plants) // LANES) * self.size
+        self.settings, self.blocks, self.flat_table = np.split(self.memory, (SETTINGS, end))
+        self.table = self.flat_table.reshape(-1, FEATURES)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in vars(self).items() if name not in ("kernels", "flat_table")}
+        bound = ("kernels", "settings", "blocks", "flat_table", "table")
+        return {name: value for name, value in vars(self).items() if name not in bound}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         vars(self).update(state)

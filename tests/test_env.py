@@ -563,13 +563,13 @@ def test_an_environment_with_a_sampler_passes_the_checker_and_is_pickled():
 @settings(max_examples=8, deadline=None)
 def test_the_observations_of_random_maneuvers_are_within_the_space(seed):
     env = RANDOM_MANEUVERS
-    observation, _ = env.reset(seed=seed)
+    observation, info = env.reset(seed=seed)
     policy = make_policy("feedforward+tvlqr", env.reference)
     over = False
     while not over:
         assert env.observation_space.contains(observation)
-        u = policy(env.step_count * env.control_period, env.simulation.rows(0, 6)[:, 0])
-        observation, _, terminated, over, _ = env.step(u / 6.0 - 1.0)
+        u = policy(info["time"], info["measurement"])
+        observation, _, terminated, over, info = env.step(u / 6.0 - 1.0)
         assert not terminated
     assert np.abs(env.simulation.errors()[::2]).max() < 1e-2  # the nominal plant follows them
 

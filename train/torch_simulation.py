@@ -114,7 +114,7 @@ def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Fleet, State]
 
     Raises ValueError if a plant has disturbances or noise.
     """
-    settings = kernels.Settings(*simulation.settings.tolist())
+    settings = kernels.shared(simulation.settings.tolist())
     if settings.disturbances or settings.is_noisy:
         raise ValueError("plant: disturbances and noise are not simulated in torch")
 
