@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.polynomial import Polynomial
+from numpy.polynomial.polynomial import polyval
 from scipy.integrate import solve_bvp
 
 from baselines.normal_form import ddy1_bounds, ddy2_bounds, feedforward, internal_dynamics, thrust_bounds
@@ -27,6 +28,11 @@ PITCH_RESERVE = 1e-5  # share by which (26) is tightened, so that the replayed p
 RISE = Polynomial([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
 BUMP = Polynomial([0.0, 0.0, 0.0, 1.0, -3.0, 3.0, -1.0])
 BUMPS = (BUMP, Polynomial([0.0, 1.0]) * BUMP)
+# Coefficients (8, 3, 3) of these three, and of their first two derivatives: [power, polynomial, derivative].
+COEFFICIENTS = np.zeros((8, 3, 3))
+for k, polynomial in enumerate((RISE, *BUMPS)):
+    for n in range(3):
+        COEFFICIENTS[: polynomial.degree() + 1 - n, k, n] = polynomial.deriv(n).coef
 
 
 class Solution(NamedTuple):
@@ -52,8 +58,10 @@ def setup_functions(maneuver: Maneuver, t: np.ndarray, p: np.ndarray) -> np.ndar
     """Upsilon1 and Upsilon2 with their first two derivatives: (2, 3, K), [output, derivative, time]."""
     T = maneuver.duration
     start, goal = maneuver.start[1], maneuver.goal[1]
-    polynomials = start + (goal - start) * RISE, p[0] * BUMPS[0] + p[1] * BUMPS[1]
-    return np.array([[y.deriv(n)(t / T) / T**n for n in range(3)] for y in polynomials])
+    rise, first, second = COEFFICIENTS.transpose(1, 0, 2)
+    outputs = np.stack(((goal - start) * rise, p[0] * first + p[1] * second), axis=1) / T ** np.arange(3)
+    outputs[0, 0, 0] += start
+    return polyval(t / T, outputs)
 
 
 def solve_unconstrained(maneuver: Maneuver, tolerance: float = COARSE) -> Solution | None:
@@ -136,6 +144,50 @@ def constrained_rhs(Y: Any, motion: Motion, parameters: HelicopterParameters) ->
     return dy1, motion.ddy1, xi2, motion.dxi2, deta, internal_dynamics(y1, motion.pitch.value, motion.ddy1, parameters)
 
 
+def motion_gradients(Y: Any, motion: Motion, f: Any, parameters: HelicopterParameters) -> tuple:
+    """Gradients of ddy1, d xi2/dt and ddeta of (38), each with respect to (y1, xi1, xi2, phi1, phi2).
+
+    On the corner of a ramp, that of its inner side.
+    """
+    p, m = parameters, motion
+    y1, xi2 = Y[0], Y[3]
+    y2, slope, curvature, third = m.pitch
+    sin1, cos1, sin2, cos2, tan2 = np.sin(y1), np.cos(y1), np.sin(y2), np.cos(y2), np.tan(y2)
+
+    # (11b): ddy2 = a3 cos(y1) sin(y2) + b3 v2. Off the bounds of (33), v2 follows from (30); on them, it is constant.
+    v2_y1 = p.a3 / p.b3 * sin1 * sin2
+    v2_xi1 = (xi2**2 * third + m.dxi2 * curvature - p.a3 * cos1 * cos2 * slope) / p.b3
+    v2_xi2 = 2.0 * curvature * xi2 / p.b3
+    free1, free2 = 1.0 * m.free1, 1.0 * m.free2
+    back = -(1.0 - free2) * p.b3 / (slope + free2)  # the slope underflows far out, where nothing is bounded
+    dxi2 = back * v2_y1, back * v2_xi1, back * v2_xi2, 0.0 * free2, free2
+
+    # (11a): ddy1 = lift + b2 cos(y2) v1, on the bounds of (22) with v1 = constant ± |v2|, see (20)
+    lift, d_lift = p.a1 * sin1 + p.a2 * cos1, p.a1 * cos1 - p.a2 * sin1
+    low, high = f
+    on_lower_v1 = 1.0 * (m.ddy1 > lift + p.b2 * cos2 * (low + high))
+    by_v2 = (1.0 - free1) * free2 * (2.0 * on_lower_v1 - 1.0) * np.sign(m.v2) * p.b2 * cos2
+    ddy1 = (
+        (1.0 - free1) * d_lift + by_v2 * v2_y1,
+        by_v2 * v2_xi1 - (1.0 - free1) * p.b2 * sin2 * m.v1 * slope,
+        by_v2 * v2_xi2,
+        free1,
+        by_v2 * slope / p.b3,
+    )
+
+    # (14a)
+    ratio, rest = p.b1 / p.b2, m.ddy1 - lift
+    k = ratio * tan2 * cos1
+    ddeta = (
+        k * (ddy1[0] - d_lift) - ratio * tan2 * sin1 * rest,
+        k * ddy1[1] + ratio * cos1 * rest / cos2**2 * slope,
+        k * ddy1[2],
+        k * ddy1[3],
+        k * ddy1[4],
+    )
+    return ddy1, dxi2, ddeta
+
+
 @dataclass(frozen=True)
 class ConstrainedProblem:
     """The boundary value problem (38) of a maneuver: Y = (y1, dy1, xi1, xi2, eta, deta), p = (p1, p2) of (39).
@@ -172,50 +224,16 @@ class ConstrainedProblem:
         return np.stack(constrained_rhs(Y, self.motion(t, Y, p), self.maneuver.parameters))
 
     def rhs_jacobian(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Derivatives (6, 6, K) and (6, 6, K) of `rhs` with respect to Y and p.
-
-        Chain rule through `motion`, one gradient (12, K) with respect to (Y, p) per quantity.
-        """
-        a1, a2, a3 = (getattr(self.maneuver.parameters, name) for name in ("a1", "a2", "a3"))
-        b1, b2, b3 = (getattr(self.maneuver.parameters, name) for name in ("b1", "b2", "b3"))
-        y1, _, _, xi2, _, _ = Y
-        m = self.motion(t, Y, p)
-        y2, slope, curvature, third = m.pitch
+        """Derivatives (6, 6, K) and (6, 6, K) of `rhs` with respect to Y and p."""
         basis1, basis2 = self.ansatz(t)
-        unit = np.eye(12)[:, :, None] * np.ones_like(t)
-        d_y1, d_xi1, d_xi2 = unit[0], unit[2], unit[3]
-        d_y2, d_slope, d_curvature = slope * d_xi1, curvature * d_xi1, third * d_xi1
-        zeros = np.zeros((6, len(t)))
-        d_phi1 = np.concatenate((zeros, basis1, np.zeros_like(basis2)))
-        d_phi2 = np.concatenate((zeros, np.zeros_like(basis1), basis2))
-
-        # (11b): ddy2 = weight + b3 v2, on the bounds of (23) with v2 constant
-        d_weight = a3 * (np.cos(y1) * np.cos(y2) * d_y2 - np.sin(y1) * np.sin(y2) * d_y1)
-        d_bend = xi2**2 * d_curvature + 2.0 * curvature * xi2 * d_xi2
-        d_dxi2 = np.where(m.free2, d_phi2, (d_weight - d_bend - m.dxi2 * d_slope) / slope)
-        d_v2 = np.where(m.free2, (d_bend + m.dxi2 * d_slope + slope * d_phi2 - d_weight) / b3, 0.0)
-
-        # (11a): ddy1 = lift + b2 cos(y2) v1, on the bounds of (22) with v1 = constant ± |v2|, see (20)
-        lift = a1 * np.sin(y1) + a2 * np.cos(y1)
-        d_lift = (a1 * np.cos(y1) - a2 * np.sin(y1)) * d_y1
-        on_lower_v1 = m.ddy1 > lift + b2 * np.cos(y2) * sum(
-            thrust_bounds(self.maneuver.limits, self.maneuver.parameters)
-        )
-        d_v1 = np.where(on_lower_v1, 1.0, -1.0) * np.sign(m.v2) * d_v2
-        d_ddy1 = np.where(m.free1, d_phi1, d_lift - b2 * np.sin(y2) * m.v1 * d_y2 + b2 * np.cos(y2) * d_v1)
-
-        # (14a)
-        rest = m.ddy1 - lift
-        d_ddeta = (
-            b1
-            / b2
-            * (
-                np.cos(y1) * (rest / np.cos(y2) ** 2 * d_y2 + np.tan(y2) * (d_ddy1 - d_lift))
-                - np.tan(y2) * np.sin(y1) * rest * d_y1
-            )
-        )
-        jacobian = np.stack((unit[1], d_ddy1, unit[3], d_dxi2, unit[5], d_ddeta))
-        return jacobian[:, :6], jacobian[:, 6:]
+        f = thrust_bounds(self.maneuver.limits, self.maneuver.parameters)
+        gradients = motion_gradients(Y, self.motion(t, Y, p), f, self.maneuver.parameters)
+        dY, dp = np.zeros((6, 6, len(t))), np.zeros((6, len(p), len(t)))
+        dY[[0, 2, 4], [1, 3, 5]] = 1.0
+        for row, (by_y1, by_xi1, by_xi2, by_phi1, by_phi2) in zip((1, 3, 5), gradients):
+            dY[row, 0], dY[row, 2], dY[row, 3] = by_y1, by_xi1, by_xi2
+            dp[row] = np.concatenate((by_phi1 * basis1, by_phi2 * basis2))
+        return dY, dp
 
     def ends(self) -> np.ndarray:
         """Boundary values (2, 6) of Y, by (12), (35) and (36)."""

@@ -1,5 +1,6 @@
 """`heli-demo`: one page on which the helicopter is simulated in the browser; it opens from a file, without network."""
 
+import base64
 import json
 import math
 import sys
@@ -14,15 +15,31 @@ import tyro
 from rich.console import Console
 from rich.progress import track
 from scipy.integrate import solve_ivp
+from scipy.linalg import block_diag, solve_discrete_are
 
 from baselines.boundary_value import FINE, KAPPA, PITCH_RESERVE, ConstrainedProblem, Solution, solve_unconstrained
+from baselines.estimation import ENCODER_NOISE, LEAST_LIFT, START_DEVIATIONS, Actuator, discretised
+from baselines.policies import KALMAN_LQR
+from baselines.regulation import augmented
 from baselines.report import WEB, check_page, write_page
+from baselines.residual import (
+    AHEAD,
+    BEFORE,
+    DISTURBANCE_SCALE,
+    INTEGRAL_SCALE,
+    LARGEST,
+    LEARNED,
+    STATE_SCALE,
+    load_learned,
+)
 from baselines.tvlqr import Q, R, stationary_cost, stationary_gain
+from heli_gym.model import hover_input, linearise
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters, Limits
 from heli_gym.plant import AXES, PLANTS
 from heli_gym.rigid_body import solve_rigid_body
 from heli_gym.simulation import SUBSTEP
 from heli_gym.storage import atomic_write
+from heli_gym.task import TOLERANCE
 from heli_gym.trajectory import Maneuver
 
 PLANS = WEB / "plans.json"
@@ -34,12 +51,15 @@ VOLTAGE_WINDOWS = ((0.0, 12.0), (1.0, 11.0), (2.0, 10.5), (3.0, 10.0))  # V
 ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s
 LIMIT_TOLERANCE = 1e-6  # V
 
-# What can be flown in the browser: the feedforward and the gains that each policy takes. See web/src/flight.ts.
+# What can be flown in the browser, by web/src/controllers.ts, and whether it is shown at first.
 POLICIES = (
-    {"name": "feedforward+tvlqr", "label": "the paper's controller", "feedforward": "plan", "feedback": "tvlqr"},
-    {"name": "open-loop", "label": "open loop", "feedforward": "plan", "feedback": "none"},
-    {"name": "hover-lqr", "label": "hover LQR", "feedforward": "hover", "feedback": "hover"},
+    {"name": "feedforward+tvlqr", "label": "the paper's controller", "shown": True},
+    {"name": "open-loop", "label": "open loop", "shown": True},
+    {"name": "residual", "label": "residual policy", "shown": True},
+    {"name": "kalman-lqr", "label": "Kalman LQR", "shown": False},
+    {"name": "hover-lqr", "label": "hover LQR", "shown": False},
 )
+NETWORK_FOR = {"nominal": "lab", "lab": "lab", "rigid": "rigid"}  # of `baselines.residual.LEARNED`, by plant
 
 
 @dataclass
@@ -137,10 +157,56 @@ def live_data() -> dict[str, Any]:
         "axes": AXES,
         "weights": {"Q": Q.tolist(), "R": R.tolist(), "M": stationary_cost(elevation, parameters, Q, R).tolist()},
         "hover_gain": stationary_gain(elevation, parameters).tolist(),
+        "kalman": kalman_data(elevation, parameters),
+        "features": {
+            "tolerance": TOLERANCE,
+            "state_scale": STATE_SCALE.tolist(),
+            "integral_scale": INTEGRAL_SCALE,
+            "disturbance_scale": DISTURBANCE_SCALE,
+            "ahead": AHEAD,
+            "before": BEFORE,
+            "largest": LARGEST,
+        },
+        "networks": {name: stored_network(name) for name in sorted(set(NETWORK_FOR.values()))},
+        "network_for": NETWORK_FOR,
         "plants": {name: plain(plant) for name, plant in PLANTS.items()},
         "rig": solve_rigid_body("A")._asdict(),
         "policies": POLICIES,
         "grid": json.loads(PLANS.read_text()),
+    }
+
+
+def kalman_data(elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
+    """What the policy with a Kalman filter assumes; M is the cost of holding hover at an elevation in rad for ever."""
+    hover = np.array([0.0, 0.0, elevation, 0.0, 0.0, 0.0])
+    A, B = (part[None] for part in linearise(hover, hover_input(elevation, parameters), parameters))
+    A, B = discretised(*augmented(A, B, Actuator().lag, integral=False), CONTROL_PERIOD)
+    Q, R = block_diag(KALMAN_LQR.Q, np.zeros((2, 2))), KALMAN_LQR.R
+    M = solve_discrete_are(A[0], B[0], CONTROL_PERIOD * Q, CONTROL_PERIOD * R)
+    return {
+        "actuator": Actuator()._asdict(),
+        "weights": {"Q": Q.tolist(), "R": R.tolist(), "M": M.tolist()},
+        "noise": KALMAN_LQR.noise._asdict(),
+        "encoder_noise": ENCODER_NOISE,
+        "start_deviations": START_DEVIATIONS,
+        "least_lift": LEAST_LIFT,
+    }
+
+
+def stored_network(name: str) -> dict[str, Any]:
+    """A network that comes with the package: its layers as base64 of float32, row by row."""
+    settings, network = load_learned(LEARNED / name)
+
+    def packed(values: np.ndarray) -> str:
+        return base64.b64encode(values.astype("<f4").tobytes()).decode()
+
+    return {
+        "sees": settings.sees,
+        "scale": settings.scale,
+        "squashes": network.squashes,
+        "layers": [
+            {"weight": packed(weight), "bias": packed(bias)} for weight, bias in zip(network.weights, network.biases)
+        ],
     }
 
 

@@ -1,72 +1,102 @@
-"""The boundary value problem (38) by shooting, compiled: six end conditions, and the six parameters of (39), (40).
+"""The boundary value problem (38) by multiple shooting: Newton's method on the six parameters of (39), (40).
 
-The right-hand side is that of `baselines.boundary_value`, compiled as it stands. The initial guess is the paper's too:
-the unconstrained plan, by the parameters that reproduce it best.
+The initial guess is the paper's: the unconstrained plan with its pitch clipped, by its states at the ends of segments,
+and all parameters zero. Flights and their derivatives are compiled from `baselines.boundary_value` as it stands.
 """
 
 import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial.polynomial import polyval
 from scipy.interpolate import CubicHermiteSpline
-from scipy.optimize import root
 
 from baselines.boundary_value import (
-    BUMPS,
+    CLOSEST_PITCH,
+    COEFFICIENTS,
     KAPPA,
     ConstrainedProblem,
     Solution,
     constrained_motion,
     constrained_rhs,
+    motion_gradients,
     setup_functions,
 )
 from baselines.compilation import code_of, kept
-from baselines.normal_form import internal_dynamics, thrust_bounds
-from heli_gym.trajectory import Maneuver
+from baselines.normal_form import alpha1, alpha2, internal_dynamics, thrust_bounds
+from baselines.saturation import psi1, psi1_inverse
+from heli_gym.model import thrust, virtual_input
+from heli_gym.trajectory import Maneuver, Trajectory
 
-SEARCH, FINE = 100, 2000  # Runge-Kutta steps of order four: to find the parameters, and to refine them
-TOLERANCE = 1e-7  # relative, of the parameters
-DIFFERENCE = 1e-6  # share of a parameter, or of 1, by which the end is differentiated
-CLOSE = 1e-5  # rad and rad/s, from the goal
+SEGMENTS = 20
+SEARCH, FINE = 5, 50  # Runge-Kutta steps of order four in a segment: to find the parameters, and to refine them
+CLOSE = {SEARCH: 1e-3, FINE: 1e-6}  # rad and rad/s, between the segments and at the goal
+ITERATIONS = 25  # of Newton's method
+LEAST_STEP = 0.005  # share of Newton's step at which its method gives up
 STRETCHES = (1.0, 1.1, 1.21)  # of the duration, from which the search may start
 FARTHEST, NEAREST = 0.1, 0.01  # relative steps in which durations are shortened: the first, and when to give up
-QUADRATURE = np.polynomial.legendre.leggauss(40)
-NEWTON_STEPS = 20
-GUESS_POINTS = 50  # as in Section III-B
+NEWTON_STEPS = 20  # for the two parameters of the unconstrained plan
+FREE = 1e-3  # share of its window that a voltage stays off its limits where a plan tells the parameters of (39)
 
 
 @cache
 def shooting_kernel() -> Callable:
     """The compiled `shoot`; compiled at its first call, and kept on disk for as long as the equations stay the same.
 
-    It fills in the states (6, N + 1) and their derivatives, from the start Y[:, 0] on, for parameters p (6,) of (39).
+    From the states Y (6, N + 1) at the starts of segments of so many steps each, it fills in those in between, and all
+    derivatives dY (6, N + 1); for each segment, what is missed (6,) at the start of the next one or at the goal, and of
+    the state there the derivatives (6, 7) by the parameters p (6,) of (39), the last column being what is missed, added
+    up along the way: all as if the segments were joined, to first order.
     """
-    version = code_of(derivative, ahead)
+    version = code_of(linearised, ahead, moved)
 
-    def shoot(p, duration, pitch_bounds, f, parameters, Y, dY):
+    def shoot(Y, p, goal, steps, duration, pitch_bounds, f, parameters, dY, missed, sensitivity):
         version  # noqa: B018
-        steps = Y.shape[1] - 1
-        h, each = duration / steps, 1.0 / steps
+        last = Y.shape[1] - 1
+        h, each = duration / last, 1.0 / last
+        V, V_next, W = np.zeros((6, 7)), np.zeros((6, 7)), np.zeros((6, 7))
+        k1, k2, k3, k4 = np.zeros((6, 7)), np.zeros((6, 7)), np.zeros((6, 7)), np.zeros((6, 7))
         now = (Y[0, 0], Y[1, 0], Y[2, 0], Y[3, 0], Y[4, 0], Y[5, 0])
-        for n in range(steps + 1):
+        for n in range(last + 1):
             tau = n * each
-            d1 = derivative(tau, now, p, pitch_bounds, f, parameters)
+            d1 = linearised(tau, now, V, p, pitch_bounds, f, parameters, k1)
             for i in range(6):
                 Y[i, n], dY[i, n] = now[i], d1[i]
-            if n < steps:
-                middle = tau + 0.5 * each
-                d2 = derivative(middle, ahead(now, 0.5 * h, d1), p, pitch_bounds, f, parameters)
-                d3 = derivative(middle, ahead(now, 0.5 * h, d2), p, pitch_bounds, f, parameters)
-                d4 = derivative(tau + each, ahead(now, h, d3), p, pitch_bounds, f, parameters)
-                now = ahead(ahead(ahead(ahead(now, h / 6.0, d1), h / 3.0, d2), h / 3.0, d3), h / 6.0, d4)
+            if n == last:
+                break
+            middle = tau + 0.5 * each
+            moved(V, 0.5 * h, k1, W)
+            d2 = linearised(middle, ahead(now, 0.5 * h, d1), W, p, pitch_bounds, f, parameters, k2)
+            moved(V, 0.5 * h, k2, W)
+            d3 = linearised(middle, ahead(now, 0.5 * h, d2), W, p, pitch_bounds, f, parameters, k3)
+            moved(V, h, k3, W)
+            d4 = linearised(tau + each, ahead(now, h, d3), W, p, pitch_bounds, f, parameters, k4)
+            now = ahead(ahead(ahead(ahead(now, h / 6.0, d1), h / 3.0, d2), h / 3.0, d3), h / 6.0, d4)
+            for i in range(6):
+                for j in range(7):
+                    V[i, j] += h / 6.0 * (k1[i, j] + 2.0 * (k2[i, j] + k3[i, j]) + k4[i, j])
+            if (n + 1) % steps == 0:
+                segment = n // steps
+                for i in range(6):
+                    missed[segment, i] = now[i] - (goal[i] if n + 1 == last else Y[i, n + 1])
+                    V[i, 6] += missed[segment, i]
+                    for j in range(7):
+                        sensitivity[segment, i, j] = V[i, j]
+                if n + 1 < last:
+                    m = n + 1
+                    now = (Y[0, m], Y[1, m], Y[2, m], Y[3, m], Y[4, m], Y[5, m])
 
     return kept(shoot)
 
 
-def derivative(tau, Y, p, pitch_bounds, f, parameters):
-    """The time derivative of the states Y (6,) of (38) at a share tau of the duration, under (39)."""
+def linearised(tau, Y, V, p, pitch_bounds, f, parameters, dV):
+    """The time derivative of the states Y (6,) of (38) at a share tau of the duration, under (39).
+
+    Fills in that of V (6, 7), small changes of the states, of which the first six are due to the parameters.
+    """
     phi1, phi2 = 0.0, 0.0
     power = tau
     for k in range(KAPPA[0]):
@@ -77,6 +107,24 @@ def derivative(tau, Y, p, pitch_bounds, f, parameters):
         power *= tau
         phi2 += p[KAPPA[0] + k] * (power - tau)
     motion = constrained_motion(Y, (phi1, phi2), pitch_bounds, f, parameters)
+    ddy1, dxi2, ddeta = motion_gradients(Y, motion, f, parameters)
+    for j in range(7):
+        y1, xi1, xi2 = V[0, j], V[2, j], V[3, j]
+        dV[0, j], dV[2, j], dV[4, j] = V[1, j], xi2, V[5, j]
+        dV[1, j] = ddy1[0] * y1 + ddy1[1] * xi1 + ddy1[2] * xi2
+        dV[3, j] = dxi2[0] * y1 + dxi2[1] * xi1 + dxi2[2] * xi2
+        dV[5, j] = ddeta[0] * y1 + ddeta[1] * xi1 + ddeta[2] * xi2
+    power = tau
+    for k in range(KAPPA[0]):
+        power *= tau
+        dV[1, k] += ddy1[3] * (power - tau)
+        dV[5, k] += ddeta[3] * (power - tau)
+    power = tau
+    for k in range(KAPPA[0], KAPPA[0] + KAPPA[1]):
+        power *= tau
+        dV[1, k] += ddy1[4] * (power - tau)
+        dV[3, k] += dxi2[4] * (power - tau)
+        dV[5, k] += ddeta[4] * (power - tau)
     return constrained_rhs(Y, motion, parameters)
 
 
@@ -85,128 +133,198 @@ def ahead(Y, h, d):
     return Y[0] + h * d[0], Y[1] + h * d[1], Y[2] + h * d[2], Y[3] + h * d[3], Y[4] + h * d[4], Y[5] + h * d[5]
 
 
-def unconstrained_parameters(maneuver: Maneuver) -> np.ndarray | None:
-    """The parameters (2,) that solve (14), by Gauss' quadrature and Newton's method; None if there are none.
+def moved(V, h, dV, W):
+    """Fills in W = V + h dV, all (6, 7)."""
+    for i in range(6):
+        for j in range(7):
+            W[i, j] = V[i, j] + h * dV[i, j]
+
+
+class Shot(NamedTuple):
+    """A flight in segments under parameters p (6,) of (39), each of which leads close to the start of the next."""
+
+    Y: np.ndarray  # (6, N + 1) states
+    dY: np.ndarray  # (6, N + 1) their derivatives
+    p: np.ndarray
+    missed: np.ndarray  # (S, 6)
+    sensitivity: np.ndarray  # (S, 6, 7), see `shooting_kernel`
+
+    @property
+    def nodes(self) -> np.ndarray:
+        """States (6, S + 1) at the ends of the segments."""
+        return self.Y[:, :: self.Y.shape[1] // len(self.missed)]
+
+
+def shooter(problem: ConstrainedProblem, steps: int) -> Callable[[np.ndarray, np.ndarray], Shot]:
+    """What makes a Shot, in so many steps a segment, of states (6, S + 1) at the ends of segments and parameters (6,).
+
+    The first of these states is that of the problem, and the last one is only where the last segment should lead.
+    """
+    maneuver, kernel = problem.maneuver, shooting_kernel()
+    start, goal = problem.ends()
+    f = thrust_bounds(maneuver.limits, maneuver.parameters)
+    arguments = goal, steps, float(maneuver.duration), problem.pitch_bounds, f, maneuver.parameters
+
+    def shoot(nodes: np.ndarray, p: np.ndarray) -> Shot:
+        problem.check()
+        segments = nodes.shape[1] - 1
+        Y = np.empty((6, segments * steps + 1))
+        new = Shot(Y, np.empty_like(Y), p, np.empty((segments, 6)), np.empty((segments, 6, 7)))
+        Y[:, ::steps] = nodes
+        Y[:, 0] = start
+        kernel(Y, p, *arguments, new.dY, new.missed, new.sensitivity)
+        return new
+
+    return shoot
+
+
+def joined(problem: ConstrainedProblem, nodes: np.ndarray, p: np.ndarray, steps: int = SEARCH) -> Shot | None:
+    """The flight from such a guess, whose segments join, by damped Newton steps; None if these do not converge."""
+    shoot = shooter(problem, steps)
+    with np.errstate(all="ignore"):  # a diverging iteration overflows before it gives up
+        now = shoot(nodes, p)
+        for _ in range(ITERATIONS):
+            if np.abs(now.missed).max() < CLOSE[steps]:
+                return now
+            new = improved(now, shoot)
+            if new is None:
+                return None
+            now = new
+    return None
+
+
+def improved(now: Shot, shoot: Callable[[np.ndarray, np.ndarray], Shot]) -> Shot | None:
+    """The next flight by Newton's step, or by a share of it that misses enough less; None if there is none."""
+    by_p, by_missed = now.sensitivity[:, :, :6], now.sensitivity[:, :, 6]
+    try:
+        dp = -np.linalg.solve(by_p[-1], by_missed[-1])
+    except np.linalg.LinAlgError:
+        return None
+    change = np.zeros((6, len(now.missed) + 1))
+    change[:, 1:] = (by_p @ dp + by_missed).T
+    missed, share = (now.missed**2).sum(), 1.0
+    while share > LEAST_STEP:
+        new = shoot(now.nodes + share * change, now.p + share * dp)
+        if (new.missed**2).sum() <= (1.0 - 0.5 * share) * missed:
+            return new
+        share *= 0.5
+    return None
+
+
+def unconstrained_guess(maneuver: Maneuver) -> Solution | None:
+    """The solution of (14) at the ends of the segments, by the trapezoidal rule and Newton's method; None if none is.
 
     The travel starts and ends at rest, and what it covers is the integral of the time that is left times ddeta.
     """
-    share, weights = 0.5 * (QUADRATURE[0] + 1.0), 0.5 * QUADRATURE[1]
     T, p = maneuver.duration, np.zeros(2)
-    bumps = np.stack([bump(share) for bump in BUMPS])
-    weights = np.stack((weights, weights * (1.0 - share))) * T**2
+    share = np.linspace(0.0, 1.0, SEGMENTS * SEARCH + 1)
     (y1, _, ddy1), _ = setup_functions(maneuver, T * share, p)
+    bumps = polyval(share, COEFFICIENTS[:, 1:, 0])
     slope = internal_dynamics(y1, math.pi / 4.0, ddy1, maneuver.parameters)  # ddeta is this times tan(y2)
+    h = T / (len(share) - 1)
+    weights = h * np.stack((slope, T * (1.0 - share) * slope))  # at both ends, the pitch is zero
     for _ in range(NEWTON_STEPS):
         y2 = p @ bumps
         if np.abs(y2).max() >= 0.5 * math.pi:
             return None
-        missed = weights @ (slope * np.tan(y2)) - [0.0, maneuver.goal[0] - maneuver.start[0]]
+        tangent = np.tan(y2)
+        missed = weights @ tangent - [0.0, maneuver.goal[0] - maneuver.start[0]]
         if np.abs(missed).max() < 1e-9:
-            return p
-        p = p - np.linalg.solve((weights * slope / np.cos(y2) ** 2) @ bumps.T, missed)
+            deta = integrated(slope * tangent, h)
+            eta = maneuver.start[0] + integrated(deta, h)
+            return Solution(T * share[::SEARCH], np.stack((eta, deta))[:, ::SEARCH], p)
+        p = p - np.linalg.solve((weights * (1.0 + tangent**2)) @ bumps.T, missed)
     return None
 
 
-def parameters_of(problem: ConstrainedProblem, p: np.ndarray) -> np.ndarray:
-    """The parameters (6,) of (39) that, unsaturated, come closest to the paper's initial guess, and to its end most.
+def integrated(rate: np.ndarray, h: float) -> np.ndarray:
+    """The integral (K,) of a rate (K,) sampled every h, by the trapezoidal rule."""
+    rise = np.zeros(len(rate))
+    np.cumsum(0.5 * h * (rate[:-1] + rate[1:]), out=rise[1:])
+    return rise
 
-    The guess is the unconstrained plan with parameters p (2,), its pitch clipped; what is fitted is y1 and xi1.
+
+def guess_from(problem: ConstrainedProblem, near: Trajectory) -> tuple[np.ndarray, np.ndarray]:
+    """The states (6, S + 1) of a plan at the ends of the segments, in the time of the problem, and parameters (6,).
+
+    Those are fitted to where the voltages are off their limits, which is where (39) can be seen.
     """
-    T = problem.maneuver.duration
-    tau = np.linspace(0.0, 1.0, GUESS_POINTS)
-    y1, _, xi1, *_ = problem.guess(Solution(T * tau, np.zeros((2, len(tau))), p)).Y
-    fitted = []
-    for kappa, y in zip(KAPPA, (y1, xi1)):
-        k = np.arange(1, kappa + 1)[:, None]
-        positions = tau ** (k + 3) / ((k + 2) * (k + 3)) - tau**3 / 6.0  # (39), integrated twice
-        rates = 1.0 / (k + 2) - 0.5
-        A = np.concatenate((positions, len(tau) * positions[:, -1:], len(tau) * rates), axis=1)
-        target = np.concatenate((y - y[0], len(tau) * (y[-1:] - y[0]), [0.0]))
-        fitted.append(np.linalg.lstsq(A.T, target)[0] / T**2)
-    return np.concatenate(fitted)
+    share, ratio = np.linspace(0.0, 1.0, SEGMENTS * SEARCH + 1), near.duration / problem.maneuver.duration
+    x, u = near(near.duration * share)
+    p, bounds = problem.maneuver.parameters, problem.pitch_bounds
+    low, high = CLOSEST_PITCH * bounds[0], CLOSEST_PITCH * bounds[1]
+    eta, deta, y1, dy1, y2, dy2 = x * np.array([1.0, ratio] * 3)[:, None]
+    xi1 = psi1_inverse(np.clip(y2, low, high), bounds)
+    pitch = psi1(xi1, bounds)
+    xi2 = dy2 / pitch.slope
+    v1, v2 = virtual_input(thrust(u, p))
+    ddy1, ddy2 = ratio**2 * alpha1(y1, y2, v1, p), ratio**2 * alpha2(y1, y2, v2, p)
+    margin = FREE * (near.limits.u_max - near.limits.u_min)
+    is_free = ((u > near.limits.u_min + margin) & (u < near.limits.u_max - margin)).all(axis=0)
+    is_free &= (low < y2) & (y2 < high)
+    accelerations = ddy1, (ddy2 - pitch.curvature * xi2**2) / pitch.slope
+    fitted = [
+        np.linalg.lstsq(basis[:, is_free].T, acceleration[is_free])[0]
+        for basis, acceleration in zip(problem.ansatz(problem.maneuver.duration * share), accelerations)
+    ]
+    return np.stack((y1, dy1, xi1, xi2, eta, deta))[:, ::SEARCH], np.concatenate(fitted)
 
 
 def unchecked() -> None:
     """Nothing that would end a search."""
 
 
-def solve_by_shooting(
-    maneuver: Maneuver, p: np.ndarray | None = None, check: Callable[[], None] = unchecked
-) -> Solution | None:
-    """A solution of (38), from parameters p (6,) close to it, or else from the paper's initial guess.
+def solve_by_shooting(maneuver: Maneuver, check: Callable[[], None] = unchecked) -> Solution | None:
+    """A solution of (38), from the paper's initial guess.
 
     Where the guess leads to none, that for a longer duration may, and its solution, shortened step by step, to the one
     asked for. None if there is no such way. `check` may end the search by what it raises.
     """
-    if p is None:
-        p = shortened(maneuver, *first_parameters(maneuver, check), check)
-        if p is None:
-            return None
-    end = End(maneuver, FINE, check)
-    if not end.is_met_from(p, End(maneuver, SEARCH, check).jacobian):
-        return None
-    t = np.linspace(0.0, maneuver.duration, FINE + 1)
-    return Solution(t, end.Y, end.p, CubicHermiteSpline(t, end.Y, end.dY, axis=1))
+    duration, found = first_shot(maneuver, check)
+    step = FARTHEST
+    while found is not None and duration > maneuver.duration:
+        shorter = max((1.0 - step) * duration, maneuver.duration)
+        ratio = duration / shorter
+        rates = np.array([1.0, ratio] * 3)[:, None]
+        problem = ConstrainedProblem(replace(maneuver, duration=shorter), check)
+        nearer = joined(problem, rates * found.nodes, ratio**2 * found.p)
+        if nearer is not None:
+            duration, found = shorter, nearer
+        else:
+            step *= 0.5
+            found = found if step > NEAREST else None
+    return found and refined(ConstrainedProblem(maneuver, check), found)
 
 
-def first_parameters(maneuver: Maneuver, check: Callable[[], None]) -> tuple[float, np.ndarray | None]:
+def solve_near(maneuver: Maneuver, near: Trajectory, check: Callable[[], None] = unchecked) -> Solution | None:
+    """A solution of (38), straight from a plan of a similar maneuver; None if it leads to none."""
+    problem = ConstrainedProblem(maneuver, check)
+    found = joined(problem, *guess_from(problem, near))
+    return found and refined(problem, found)
+
+
+def first_shot(maneuver: Maneuver, check: Callable[[], None]) -> tuple[float, Shot | None]:
     """The shortest of some durations from the maneuver's on for which the paper's guess leads anywhere, and where."""
     for stretch in STRETCHES:
         longer = replace(maneuver, duration=stretch * maneuver.duration)
-        unconstrained = unconstrained_parameters(longer)
+        unconstrained = unconstrained_guess(longer)
         if unconstrained is not None:
-            end = End(longer, SEARCH, check)
-            if end.is_met_from(parameters_of(ConstrainedProblem(longer), unconstrained)):
-                return longer.duration, end.p
+            problem = ConstrainedProblem(longer, check)
+            guess = problem.guess(unconstrained)
+            found = joined(problem, guess.Y, guess.p)
+            if found is not None:
+                return longer.duration, found
     return math.inf, None
 
 
-def shortened(
-    maneuver: Maneuver, duration: float, p: np.ndarray | None, check: Callable[[], None]
-) -> np.ndarray | None:
-    """The parameters for the maneuver's duration, from those for a longer one, in steps that halve when one fails."""
-    step = FARTHEST
-    while p is not None and duration > maneuver.duration:
-        shorter = max((1.0 - step) * duration, maneuver.duration)
-        end = End(replace(maneuver, duration=shorter), SEARCH, check)
-        if end.is_met_from((duration / shorter) ** 2 * p):  # accelerations scale with 1/T²
-            duration, p = shorter, end.p
-        else:
-            step *= 0.5
-            p = p if step > NEAREST else None
-    return p
+def refined(problem: ConstrainedProblem, found: Shot) -> Solution | None:
+    """The solution that is close, in finer steps."""
+    fine = joined(problem, found.nodes, found.p, FINE)
+    if fine is None:
+        return None
+    t = np.linspace(0.0, problem.maneuver.duration, fine.Y.shape[1])
 
+    def interpolate(times: np.ndarray, derivative: int = 0) -> np.ndarray:
+        return CubicHermiteSpline(t, fine.Y, fine.dY, axis=1)(times, derivative)
 
-class End:
-    """Where parameters (6,) of (39) lead to: called, gives the distance (6,) of the end from the goal."""
-
-    def __init__(self, maneuver: Maneuver, steps: int, check: Callable[[], None] = unchecked) -> None:
-        self.check = check
-        problem = ConstrainedProblem(maneuver)
-        start, self.goal = problem.ends()
-        self.p = np.zeros(sum(KAPPA))
-        self.Y, self.dY = np.empty((6, steps + 1)), np.empty((6, steps + 1))
-        self.Y[:, 0] = start
-        f = thrust_bounds(maneuver.limits, maneuver.parameters)
-        self.arguments = float(maneuver.duration), problem.pitch_bounds, f, maneuver.parameters
-        self.shoot = shooting_kernel()
-
-    def __call__(self, p: np.ndarray) -> np.ndarray:
-        self.check()
-        self.p = p
-        self.shoot(p, *self.arguments, self.Y, self.dY)
-        return self.Y[:, -1] - self.goal
-
-    def jacobian(self, p: np.ndarray) -> np.ndarray:
-        """The derivatives (6, 6) of the end by the parameters."""
-        steps = np.diag(DIFFERENCE * np.maximum(1.0, np.abs(p)))
-        return np.stack([(self(p + step) - self(p - step)) / (2.0 * step.sum()) for step in steps], axis=1)
-
-    def is_met_from(self, p: np.ndarray, jacobian: Callable[[np.ndarray], np.ndarray] | None = None) -> bool:
-        """Whether Powell's hybrid method finds parameters that lead to the goal from these; keeps them, and the way.
-
-        It differentiates by itself, unless another's Jacobian is close enough.
-        """
-        with np.errstate(all="ignore"):  # a diverging iteration overflows before it gives up
-            found = root(self, p, jac=jacobian, tol=TOLERANCE)
-        return bool(found.success and np.abs(self(found.x)).max() < CLOSE)
+    return Solution(t, fine.Y, fine.p, interpolate)

@@ -1,14 +1,14 @@
 """Shooting finds what collocation finds."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
+from independent import central_differences
 from numpy.testing import assert_allclose
 
+from baselines import plan
 from baselines.boundary_value import FINE, ConstrainedProblem, solve_unconstrained
 from baselines.planner import solve_from_unconstrained
-from baselines.shooting import End, parameters_of, solve_by_shooting, unconstrained_parameters
+from baselines.shooting import guess_from, shooter, solve_by_shooting, solve_near, unconstrained_guess
 from heli_gym import Maneuver
 
 TURN = Maneuver(goal=(1.5, -0.2), duration=8.0)
@@ -25,18 +25,41 @@ def test_the_solution_of_38_is_that_of_collocation(asked):
 
 
 @pytest.mark.parametrize("asked", [Maneuver(), TURN], ids=str)
-def test_the_unconstrained_parameters_are_those_of_collocation(asked):
-    assert_allclose(unconstrained_parameters(asked), solve_unconstrained(asked, FINE).p, rtol=1e-5)
+def test_the_unconstrained_guess_is_that_of_collocation(asked):
+    found, expected = unconstrained_guess(asked), solve_unconstrained(asked, FINE)
+    assert_allclose(found.p, expected.p, rtol=1e-5)
+    assert_allclose(found.Y, expected.interpolate(found.t), atol=2e-3)
 
 
-def test_there_are_no_unconstrained_parameters_beyond_90_degrees():
-    assert unconstrained_parameters(Maneuver(duration=4.0)) is None
+def test_there_is_no_unconstrained_guess_beyond_90_degrees():
+    assert unconstrained_guess(Maneuver(duration=4.0)) is None
 
 
-def test_the_guess_ends_where_the_pitch_should():
-    problem = ConstrainedProblem(TURN)
-    missed = End(TURN, 200)(parameters_of(problem, unconstrained_parameters(TURN)))
-    assert_allclose(missed[2:4], 0.0, atol=0.05)
+def test_the_sensitivities_agree_with_differences():
+    problem, p = ConstrainedProblem(TURN), np.array([1.0, -0.5, 100.0, -300.0, 350.0, -140.0])
+    shoot, nodes = shooter(problem, 100), np.zeros((6, 2))
+    expected = central_differences(lambda p: shoot(nodes, p).missed[0], p, 1e-7)
+    assert_allclose(shoot(nodes, p).sensitivity[0, :, :6], expected, rtol=1e-4, atol=1e-5)
+
+
+def test_segments_that_meet_are_one_flight():
+    problem, p = ConstrainedProblem(TURN), np.array([1.0, -0.5, 100.0, -300.0, 350.0, -140.0])
+    one = shooter(problem, 100)(np.zeros((6, 2)), p)
+    many = shooter(problem, 20)(one.Y[:, ::20], p)
+    assert_allclose(many.missed[:-1], 0.0, atol=1e-12)
+    assert_allclose(many.missed[-1], one.missed[-1], atol=1e-12)
+    assert_allclose(many.sensitivity[-1], one.sensitivity[-1], rtol=1e-9, atol=1e-9)
+
+
+def test_what_is_missed_is_caught_up_with_to_first_order():
+    problem, found = ConstrainedProblem(TURN), solve_by_shooting(TURN)
+    shoot, rng = shooter(problem, 20), np.random.default_rng(0)
+    met = found.interpolate(np.linspace(0.0, 8.0, 6))
+    for size, left in ((1e-3, 1e-4), (1e-5, 1e-8)):
+        apart = shoot(met + size * rng.normal(size=met.shape), found.p)
+        nodes = apart.nodes.copy()
+        nodes[:, 1:] += apart.sensitivity[:, :, 6].T
+        assert np.abs(shoot(nodes, found.p).missed[:-1]).max() < left
 
 
 def test_a_shot_solves_38():
@@ -49,10 +72,18 @@ def test_a_shot_solves_38():
     assert_allclose(found.interpolate(found.t, 1), rates, atol=1e-8)
 
 
-def test_parameters_close_by_are_enough():
-    found = solve_by_shooting(TURN)
-    again = solve_by_shooting(replace(TURN, duration=8.05), found.p)
-    assert again is not None
+@pytest.mark.parametrize("method", ["paper", "spline"])
+@pytest.mark.parametrize("like", [Maneuver(duration=10.1), Maneuver(goal=(6.2, 0.02))], ids=str)
+def test_a_plan_close_by_leads_to_the_solution_of_38(method, like):
+    t = np.linspace(0.0, 10.0, 200)
+    found, expected = solve_near(Maneuver(), plan(like, method)), solve_by_shooting(Maneuver())
+    assert_allclose(found.interpolate(t), expected.interpolate(t), atol=1e-5)
+
+
+def test_a_plan_that_solves_38_already_tells_its_parameters():
+    solution, trajectory = solve_by_shooting(TURN), plan(TURN, "paper")
+    _, p = guess_from(ConstrainedProblem(TURN), trajectory)
+    assert_allclose(p, solution.p, rtol=1e-2, atol=0.1)
 
 
 def test_where_there_is_no_solution_none_is_found():

@@ -31,7 +31,7 @@ def simulation(plants, dtype=np.float64):
     return flights
 
 
-@pytest.mark.parametrize(("dtype", "tolerance"), [(np.float64, 1e-12), (np.float32, 2e-6)])
+@pytest.mark.parametrize(("dtype", "tolerance"), [(np.float64, 1e-12), (np.float32, 1e-6)])
 @pytest.mark.parametrize("name", ["nominal", "mixed", "rigid"])
 def test_torch_takes_the_step_that_the_compiled_kernel_takes(name, dtype, tolerance):
     plants = {"mixed": [PLANTS["lab"], SLOW, Plant()] * 5}.get(name) or [PLANTS[name]] * 70
@@ -42,11 +42,11 @@ def test_torch_takes_the_step_that_the_compiled_kernel_takes(name, dtype, tolera
         state, told = torch_simulation.step(fleet, state, torch.tensor(action))
         _, observation, rows = flights.step(action)
         measured = rows[MEASURED:] if len(rows) > MEASURED else rows[X : X + 6]
-        assert_allclose(state.x, rows[X : X + 6], rtol=0.0, atol=tolerance)
+        assert_allclose(state.x, rows[X : X + 6], rtol=tolerance, atol=tolerance)
         # a rate estimated from counts is off by a count where rounding differs
         assert (np.abs(state.measured.numpy() - measured) > 100.0 * tolerance).mean() < 0.01
-        assert_allclose(told.reward, rows[REWARD], rtol=0.0, atol=tolerance)
-        assert_allclose(told.cost, rows[COST], rtol=0.0, atol=tolerance)
+        assert_allclose(told.reward, rows[REWARD], rtol=tolerance, atol=tolerance)
+        assert_allclose(told.cost, rows[COST], rtol=tolerance, atol=tolerance)
         assert_array_equal(told.terminated, rows[TERMINATED] > 0.0)
         assert_array_equal(told.truncated, rows[TRUNCATED] > 0.0)
         if dtype is np.float64:

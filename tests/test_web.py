@@ -10,6 +10,7 @@ from browser import DESKTOP, PHONE, SOURCES, in_browser, in_node, installed, too
 from baselines import demo, fly, make_policy, riccati_gains
 from baselines.boundary_value import ConstrainedProblem
 from baselines.report import WEB
+from baselines.residual import LEARNED, load_learned
 from heli_gym import HelicopterParameters, Maneuver, linearise
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import PLANTS, Friction, Plant, Push, Rotors, Sensors
@@ -86,23 +87,32 @@ def test_the_packages_name_no_registry():
 
 # The same helicopter
 
-FLY = """(() => {
-    const rules = {parameters: live.parameters, controlPeriod: live.control_period, amplifier: live.amplifier,
+FLY = """((controller) => {
+    const rules = {controlPeriod: live.control_period, amplifier: live.amplifier,
                    pitchStop: live.pitch_stop, substep: live.substep};
-    const flight = new heli.Flight(policy, plant, rules, start, rest);
+    const flight = new heli.Flight(controller, plant, rules, start, rest);
     for (let k = 0; k < steps; k++) flight.step(pushes);
     return {x: flight.x, u: flight.u};
-})()"""
+})"""
 
 
-def fly_in_node(live, plant, reference, policy, start, steps, pushes=()):
-    """States (6, K + 1) and voltages (2, K) of a flight with the policy's own reference and gains."""
+TRACKING = "heli.trackingController(controls, live.parameters)"
+ALONG = "heli.controllersAlong(controls.plan, controls.pitch, live)[controls.name](heli.unpacked(controls.network))"
+
+
+def tracking(policy):
+    """A tracking policy's own reference and gains, for the browser."""
     gains = np.moveaxis(policy.gains, -1, 0)
+    return {"x": policy.x.T.tolist(), "v": policy.v.T.tolist(), "gains": gains.tolist() if gains.any() else None}
+
+
+def fly_in_node(live, plant, reference, controls, start, steps, pushes=(), controller=TRACKING):
+    """States (6, K + 1) and voltages (2, K) of a flight with a controller, an expression that uses the controls."""
     flight = in_node(
-        FLY,
+        f"{FLY}({controller})",
         live=live,
         plant=demo.plain(plant),
-        policy={"x": policy.x.T.tolist(), "v": policy.v.T.tolist(), "gains": gains.tolist() if gains.any() else None},
+        controls=controls,
         start=list(start),
         rest=reference.u[:, 0].tolist(),
         steps=steps,
@@ -117,9 +127,43 @@ def test_a_flight_in_the_browser_is_that_of_python(live, plant, policy):
     env = Heli3DOFEnv(DRAWS[plant], control_period=PERIOD)
     controller = make_policy(policy, env.reference, PERIOD)
     flight = fly(env, controller, seed=0, options={"state": START})
-    x, u = fly_in_node(live, DRAWS[plant], env.reference, controller, START, len(flight.t) - 1)
+    x, u = fly_in_node(live, DRAWS[plant], env.reference, tracking(controller), START, len(flight.t) - 1)
     np.testing.assert_allclose(x, flight.x, rtol=0.0, atol=1e-9)
     np.testing.assert_allclose(u, flight.u[:, :-1], rtol=0.0, atol=1e-9)
+
+
+@pytest.mark.parametrize("policy", ["kalman-lqr", "residual"])
+@pytest.mark.parametrize("plant", DRAWS)
+def test_a_flight_with_a_filter_whose_gains_the_browser_computes_is_that_of_python(live, plant, policy):
+    env = Heli3DOFEnv(DRAWS[plant], control_period=PERIOD)
+    reference = env.reference
+    network = "rigid" if plant.startswith("rigid") else "lab"
+    in_python = "residual-rigid" if (policy, network) == ("residual", "rigid") else policy
+    flight = fly(env, make_policy(in_python, reference, PERIOD), seed=0, options={"state": START})
+    x, u = reference(0.5 * PERIOD * np.arange(round(2.0 * reference.duration / PERIOD) + 1))
+    controls = {
+        "name": policy,
+        "plan": {"step": 0.5 * PERIOD, "x": x.T.tolist(), "u": u.T.tolist()},
+        "pitch": reference.limits.pitch,
+        "network": live["networks"][network],
+    }
+    x, u = fly_in_node(live, DRAWS[plant], reference, controls, START, len(flight.t) - 1, controller=ALONG)
+    np.testing.assert_allclose(x, flight.x, rtol=0.0, atol=1e-9)
+    # In the loop of a network, rounding grows: a start that is 1e-14 rad elsewhere changes voltages by 3e-8 V.
+    np.testing.assert_allclose(u, flight.u[:, :-1], rtol=0.0, atol=1e-7 if policy == "residual" else 1e-9)
+
+
+@pytest.mark.parametrize("plant", PLANTS)
+def test_the_network_of_a_plant_in_the_browser_is_that_of_python(live, plant):
+    settings, network = load_learned(LEARNED / live["network_for"][plant])
+    assert settings.plant == plant or plant == "nominal"
+    assert (settings.base, settings.control_period) == ("kalman-lqr", PERIOD)
+    features = np.random.default_rng(0).normal(size=(20, settings.features))
+    stored = live["networks"][settings.plant]
+    found = in_node(
+        "features.map((seen) => heli.actions(heli.unpacked(stored), seen))", stored=stored, features=features.tolist()
+    )
+    np.testing.assert_allclose(found, np.clip(network(features.T), -1.0, 1.0).T, rtol=0.0, atol=1e-12)
 
 
 @pytest.mark.parametrize("plant", ["nominal", "lab"])
@@ -130,9 +174,9 @@ def test_a_push_in_the_browser_is_that_of_python(live, plant):
     controller = make_policy("feedforward+tvlqr", env.reference, PERIOD)
     flight = fly(env, controller, seed=0)
     steps, start = len(flight.t) - 1, env.reference.x[:, 0]
-    x, _ = fly_in_node(live, draw, env.reference, controller, start, steps, pushes)
+    x, _ = fly_in_node(live, draw, env.reference, tracking(controller), start, steps, pushes)
     np.testing.assert_allclose(x, flight.x, rtol=0.0, atol=1e-9)
-    calm, _ = fly_in_node(live, draw, env.reference, controller, start, steps)
+    calm, _ = fly_in_node(live, draw, env.reference, tracking(controller), start, steps)
     assert np.abs(x - calm)[:, :100].max() < 1e-8  # with a push, it is integrated in smaller steps
     assert np.abs(x - calm)[4, 110:].max() > np.radians(2.0)
 
@@ -157,7 +201,7 @@ def test_the_linearisation_in_the_browser_is_that_of_python():
     parameters = HelicopterParameters()
     found = in_node("heli.linearise(x, v, p)", x=x.tolist(), v=v.tolist(), p=parameters._asdict())
     for matrix, expected in zip((found["A"], found["B"]), linearise(x, v, parameters)):
-        np.testing.assert_allclose(matrix, expected, rtol=0.0, atol=1e-9)
+        np.testing.assert_allclose(matrix, expected, rtol=0.0, atol=1e-11)
 
 
 PLAN = """maneuvers.map(({p, ...maneuver}) => {
@@ -324,7 +368,7 @@ def test_plants_and_policies_are_chosen_with_the_keyboard_too(page):
         await page.keyboard.press("2");
         await page.keyboard.press("d");
         seen.d = await page.locator("fieldset p.small").textContent();
-        await page.keyboard.press("w");
+        await page.keyboard.press("5");
         seen.shown = await page.locator(".view").evaluateAll((views) => views.filter((view) => !view.hidden).length);
         await page.keyboard.press("Space");
         seen.play = await page.locator("#play").textContent();
@@ -337,9 +381,41 @@ def test_plants_and_policies_are_chosen_with_the_keyboard_too(page):
     assert "Draw 1" in seen["2"][1]
     assert "Draw" not in seen["1"][1]
     assert "Draw 2" in seen["d"]
-    assert seen["shown"] == len(demo.POLICIES) - 1
+    assert seen["shown"] == sum(policy["shown"] for policy in demo.POLICIES) - 1
     assert seen["play"] == "Fly"
     assert seen["focused"] == "BUTTON"
+
+
+def test_the_residual_policy_flies_otherwise_than_what_it_corrects_with_the_network_of_the_plant(page):
+    script = """
+        const shown = async () => {
+          const values = [];
+          for (const plot of ["elevation", "pitch", "front voltage", "back voltage"]) values.push(await readout(plot));
+          return values;
+        };
+        const seen = {};
+        for (const [key, plant] of [["2", "lab"], ["3", "rigid"]]) {
+          await page.keyboard.press(key);
+          await page.locator(".toggles label", {hasText: "Kalman LQR"}).locator("input").check();
+          await until(1.5);
+          await pause();
+          seen[plant] = [await shown(), await page.locator("fieldset p.small").textContent()];
+        }
+        await page.keyboard.press("6");
+        await page.waitForTimeout(300);
+        seen.without = await shown();
+        return seen;
+    """
+    seen = in_browser(page, READ + SMALL + script)
+    for plant in ("lab", "rigid"):
+        values, note = seen[plant]
+        _, _, residual, kalman, hover, _ = zip(*values)
+        assert max(abs(a - b) for a, b in zip(residual, kalman)) > 0.3
+        assert set(hover) == {None}  # not shown at first
+        assert f"trained on {plant}" in note
+    _, _, residual, kalman, *_ = zip(*seen["without"])
+    assert set(residual) == {None}
+    assert None not in kalman
 
 
 def test_a_page_that_is_no_html_file_is_refused_by_name(tmp_path):

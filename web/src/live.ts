@@ -1,30 +1,29 @@
 // The live page: the helicopter simulated here, flown by the policies side by side along a plan that is chosen here.
 
+import { type ControlData, type Maker, controllersAlong } from "./controllers";
 import { COLOURS, FrameMeter, REFERENCE, View, deg, isForControl, keyHelp, make, shown } from "./dom";
-import { Flight, type Policy, type PolicyKind, type Rules, makePolicy } from "./flight";
-import { type Pair, type Parameters, hoverInput, voltages } from "./model";
+import { Flight, type Rules } from "./flight";
+import { type Pair, hoverInput, voltages } from "./model";
 import { type Plan, integratePlan } from "./plan";
 import { type Plant, type Push, drawn } from "./plant";
 import { Plot, type PlotOptions } from "./plots";
-import { type Weights, riccatiGains } from "./regulator";
+import { controlGrid } from "./policies";
+import { type StoredNetwork, unpacked } from "./residual";
 import { type Pose, makeStage } from "./rig";
 import type { Rig } from "./rigid";
 
-export interface LiveData {
-  parameters: Parameters;
+export interface LiveData extends ControlData {
   paper: { duration: number; pitch_limit_deg: number; window: Pair };
   goal: Pair;
-  amplifier: Pair;
   pitch_stop: number;
   pitch_reserve: number;
   kappa: Pair;
-  control_period: number;
   substep: number;
-  weights: Weights;
-  hover_gain: number[][];
   plants: Record<string, unknown>;
   rig: Rig;
-  policies: PolicyKind[];
+  policies: { name: string; label: string; shown: boolean }[];
+  networks: Record<string, StoredNetwork>; // by the plant that each was trained on
+  network_for: Record<string, string>; // by plant
   /** Parameters of (39), or null where no plan was found: plans[pitch limit][window][duration]. */
   grid: { durations: number[]; pitch_limits_deg: number[]; windows: Pair[]; plans: (number[] | null)[][][] };
 }
@@ -38,6 +37,7 @@ const PUSHES = [ // rad/s²
   { label: "▲ lift", key: "ArrowUp", axis: 1, acceleration: -3 },
   { label: "▼ press", key: "ArrowDown", axis: 1, acceleration: 3 },
 ];
+const POLICY_KEYS = ["4", "5", "6", "7", "8"]; // after those of the plants
 const PLANT_NOTES: Record<string, string> = {
   nominal: "Equation (3), exactly: what the controllers believe in.",
   lab: "(3) with rotor lag, friction, thrust loss, a delay, and encoders.",
@@ -48,7 +48,6 @@ export function showLive(data: LiveData, main: HTMLElement): void {
   const { parameters, grid, control_period: period } = data;
   const p = parameters;
   const rules: Rules = {
-    parameters,
     controlPeriod: period,
     amplifier: data.amplifier,
     pitchStop: data.pitch_stop,
@@ -61,13 +60,14 @@ export function showLive(data: LiveData, main: HTMLElement): void {
     window: grid.windows.findIndex((window) => window.join() === data.paper.window.join()),
   };
   const asked = { ...papers, startOff: 3 };
-  const enabled = data.policies.map(() => true);
+  const enabled = data.policies.map(({ shown }) => shown);
+  const networks = Object.fromEntries(Object.entries(data.networks).map(([name, stored]) => [name, unpacked(stored)]));
   let plantName = Object.keys(data.plants)[0];
   let draws = 1;
   let plant = data.plants[plantName] as Plant;
   let plan: Plan | null = null;
   let reference: { x: number[][]; u: Pair[] } = { x: [], u: [] }; // on the control grid, the goal being held at the end
-  let policies: Policy[] = [];
+  let controllers: Record<string, Maker> = {};
   let flights: (Flight | null)[] = [];
   let pushes: Push[] = [];
   let time = 0;
@@ -142,7 +142,7 @@ export function showLive(data: LiveData, main: HTMLElement): void {
   } }, "the paper's values");
 
   const toggles = data.policies.map(({ label }, i) => {
-    const box = make("input", { type: "checkbox", checked: true, id: `policy-${i}` });
+    const box = make("input", { type: "checkbox", checked: enabled[i], id: `policy-${i}` });
     box.addEventListener("change", () => enable(i, box.checked));
     return { box, label: make("label", { style: `--colour:${colours[i]}` }, box, label) };
   });
@@ -180,7 +180,7 @@ export function showLive(data: LiveData, main: HTMLElement): void {
         ["↑ ↓", "lift, press the body"],
         ["1 2 3", "nominal, lab, rigid"],
         ["D", "another draw of the plant"],
-        ["Q W E", "show or hide each policy"],
+        [POLICY_KEYS.join(" "), "show or hide each policy"],
       ]),
       make("p", { class: "small" }, "Pale helicopter and dashed lines: the reference. Shaded: beyond the limits of the plan. The start is off in travel and elevation."),
       meter.element,
@@ -221,13 +221,12 @@ export function showLive(data: LiveData, main: HTMLElement): void {
       parameters,
       period / 2,
     );
-    const current = plan;
-    const gains = riccatiGains(current, data.weights, parameters);
-    policies = data.policies.map((kind) => makePolicy(kind, current, gains, data.hover_gain, p));
-    const last = current.x.length - 1;
-    const steps = last / 2 + Math.round(HOLD / period);
-    const onGrid = Array.from({ length: steps + 1 }, (_, k) => Math.min(2 * k, last));
-    reference = { x: onGrid.map((k) => current.x[k]), u: onGrid.map((k) => current.u[Math.min(k + 1, last)]) };
+    controllers = controllersAlong(plan, limits.pitch, data);
+    const flown = controlGrid(plan);
+    const last = flown.x.length - 1;
+    const steps = last + Math.round(HOLD / period);
+    const onGrid = Array.from({ length: steps + 1 }, (_, k) => Math.min(k, last));
+    reference = { x: onGrid.map((k) => flown.x[k]), u: onGrid.map((k) => flown.middle[k]) };
     pitchPlot.setLimits(limits.pitch.map(deg) as Pair);
     voltagePlots.forEach((plot) => plot.setLimits(limits.u));
     plots.forEach(({ plot }) => plot.setDuration(period * steps));
@@ -248,9 +247,10 @@ export function showLive(data: LiveData, main: HTMLElement): void {
     const steps = Math.min(Math.ceil(time / period - 1e-9), reference.x.length - 1);
     const off = (asked.startOff * Math.PI) / 180;
     const start = reference.x[0].map((value, i) => value + (i === 0 ? -off : i === 2 ? off : 0));
-    data.policies.forEach((_, i) => {
+    data.policies.forEach(({ name }, i) => {
       if (!enabled[i]) return;
-      const flight = (flights[i] ??= new Flight(policies[i], plant, rules, start, voltages(hoverInput(0, p), p)));
+      const controller = () => controllers[name](networks[data.network_for[plantName]]);
+      const flight = (flights[i] ??= new Flight(controller(), plant, rules, start, voltages(hoverInput(0, p), p)));
       while (flight.x.length <= steps && !flight.crashed) flight.step(pushes);
     });
   }
@@ -275,10 +275,14 @@ export function showLive(data: LiveData, main: HTMLElement): void {
   function enable(i: number, on: boolean): void {
     enabled[i] = toggles[i].box.checked = on;
     if (!on) flights[i] = null;
-    views[i].element.hidden = !on;
-    plots.forEach(({ plot }) => plot.setVisible(i, on));
+    show(i, on);
     catchUp();
     changed = true;
+  }
+
+  function show(i: number, on: boolean): void {
+    views[i].element.hidden = !on;
+    plots.forEach(({ plot }) => plot.setVisible(i, on));
   }
 
   function choosePlant(name: string): void {
@@ -304,6 +308,7 @@ export function showLive(data: LiveData, main: HTMLElement): void {
       ? `${PLANT_NOTES[plantName] ?? ""} Draw ${draws}: lag ${rotors.lag.toFixed(2)} s, thrust loss ${(100 * rotors.thrust_loss).toFixed(0)} %, ` +
         `friction ${friction.viscous.map((f) => f.toFixed(2)).join(", ")} 1/s.`
       : (PLANT_NOTES[plantName] ?? "");
+    plantNote.append(` The residual policy was trained on ${data.network_for[plantName]}.`);
   }
 
   /** Redraws one plot. */
@@ -360,17 +365,18 @@ export function showLive(data: LiveData, main: HTMLElement): void {
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const push = PUSHES.find((candidate) => candidate.key === key);
     const chosenPlant = Object.keys(data.plants)[Number(key) - 1];
-    const policy = ["q", "w", "e", "r", "t"].indexOf(key);
+    const policy = POLICY_KEYS.indexOf(key);
     if (push) shove(push.axis, push.acceleration);
     else if (key === " ") fly(!flying);
     else if (key === "r") restart();
     else if (key === "d" && !drawButton.hidden) drawAnew();
     else if (chosenPlant) choosePlant(chosenPlant);
-    else if (policy >= 0 && policy < 3 && toggles[policy]) enable(policy, !enabled[policy]);
+    else if (toggles[policy]) enable(policy, !enabled[policy]);
     else return;
     event.preventDefault();
   });
 
+  enabled.forEach((on, i) => show(i, on));
   drawPlant();
   replan();
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) fly(false);

@@ -5,12 +5,15 @@ import "./style.css";
 import { showLive } from "./live";
 import { showReport } from "./report";
 
+export * from "./controllers";
 export * from "./flight";
 export * from "./model";
 export * from "./plan";
 export * from "./plant";
-export * from "./regulator";
+export * from "./policies";
+export * from "./residual";
 export * from "./rigid";
+export * from "./tvlqr";
 
 if (typeof document !== "undefined") {
   const data = JSON.parse(document.getElementById("data")!.textContent!);

@@ -2,6 +2,8 @@
 
 export type Pair = [number, number];
 
+export const clip = (value: number, [low, high]: Pair) => Math.min(Math.max(value, low), high);
+
 /** Table I. */
 export interface Parameters {
   k_plus: number;
@@ -52,17 +54,21 @@ export function dynamics(x: readonly number[], v: Pair, p: Parameters): number[]
   ];
 }
 
-/** (47), (48): A (6 x 6) and B (6 x 2) about x and v, by central differences, so that they cannot drift from (3). */
+/** (47), (48): A (6 x 6) and B (6 x 2) about x and v, by differences of order four, so that they cannot drift from (3). */
 export function linearise(x: readonly number[], v: Pair, p: Parameters): { A: number[][]; B: number[][] } {
   const z = [...x, ...v];
-  const step = 1e-5;
+  const step = 1e-3;
   const columns = z.map((_, j) => {
     const at = (h: number) => {
       const moved = z.with(j, z[j] + h);
       return dynamics(moved.slice(0, 6), [moved[6], moved[7]], p);
     };
-    const [ahead, behind] = [at(step), at(-step)];
-    return ahead.map((value, i) => (value - behind[i]) / (2 * step));
+    const difference = (h: number) => {
+      const [ahead, behind] = [at(h), at(-h)];
+      return ahead.map((value, i) => (value - behind[i]) / (2 * h));
+    };
+    const [near, far] = [difference(step), difference(2 * step)];
+    return near.map((value, i) => (4 * value - far[i]) / 3);
   });
   const rows = x.map((_, i) => columns.map((column) => column[i]));
   return { A: rows.map((row) => row.slice(0, 6)), B: rows.map((row) => row.slice(6)) };

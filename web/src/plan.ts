@@ -1,7 +1,7 @@
 // The paper's plan from its free parameters: with p of (39) known, the boundary value problem (38) is an initial value
 // problem. Python solves for p (baselines/boundary_value.py); here it is integrated forwards.
 
-import { type Pair, type Parameters, hoverInput, rk4Step, thrust, voltages } from "./model";
+import { type Pair, type Parameters, clip, hoverInput, rk4Step, thrust, voltages } from "./model";
 
 export interface Maneuver {
   duration: number; // s
@@ -17,8 +17,6 @@ export interface Plan {
 }
 
 const SUBSTEPS = 4;
-
-const clip = (value: number, [low, high]: Pair) => Math.min(Math.max(value, low), high);
 
 /** The plan with the parameters p1, p2 of the ansatz (39), sampled at steps of `step` s, which divides the duration. */
 export function integratePlan(
