@@ -1,0 +1,56 @@
+// The policies that can be flown here, by their names in Python.
+
+import type { Matrix } from "./matrices";
+import type { Pair, Parameters } from "./model";
+import type { Plan } from "./plan";
+import {
+  type Controller,
+  KalmanController,
+  type KalmanSettings,
+  type Task,
+  type Tracking,
+  controlGrid,
+  feedforward,
+  hoverTracking,
+  kalmanLqrGains,
+  trackingController,
+} from "./policies";
+import { type FeatureSettings, type Network, ResidualController } from "./residual";
+import { type Weights, riccatiGains } from "./tvlqr";
+
+/** What Python says of the controllers. */
+export interface ControlData {
+  parameters: Parameters;
+  amplifier: Pair; // V
+  control_period: number; // s
+  weights: Weights;
+  hover_gain: Matrix;
+  kalman: KalmanSettings;
+  features: FeatureSettings;
+}
+
+/** A controller for one flight; only those that learned look at the network. */
+export type Maker = (network: Network) => Controller;
+
+/** Every policy along a plan that is sampled at half the control period. Gains are computed when they are first flown. */
+export function controllersAlong(plan: Plan, pitchLimits: Pair, data: ControlData): Record<string, Maker> {
+  const { parameters, amplifier, control_period: period } = data;
+  const reference = controlGrid(plan);
+  const task: Task = { reference, pitchLimits, amplifier, period, parameters };
+  const tvlqr = once(() => riccatiGains(plan, data.weights, parameters));
+  const kalman = once(() => kalmanLqrGains(reference, data.kalman, period, parameters));
+  const tracking = (values: Tracking) => trackingController(values, parameters);
+  const filtering = () => new KalmanController(task, kalman(), data.kalman);
+  return {
+    "feedforward+tvlqr": () => tracking(feedforward(reference, tvlqr(), parameters)),
+    "open-loop": () => tracking(feedforward(reference, null, parameters)),
+    "hover-lqr": () => tracking(hoverTracking(reference, data.hover_gain, parameters)),
+    "kalman-lqr": filtering,
+    residual: (network) => new ResidualController(filtering(), network, data.features),
+  };
+}
+
+function once<T>(make: () => T): () => T {
+  let value: T | undefined;
+  return () => (value ??= make());
+}
