@@ -227,7 +227,8 @@ class Heli3DOFEnv(gym.Env):
         reference = simulation.draw(0, self.np_random)
         simulation.begin(ONLY, self._start(options, reference))
         self.drawn_plant = simulation.drawn_plant(0)
-        self.simulation, self.memory, self.step_one = simulation, simulation.memory, one_step(simulation.rhs)
+        self.simulation, self.memory = simulation, simulation.memory
+        self.step_one = one_step(simulation.rhs, simulation.fly)
         self.over = False
         observation, told = simulation.arrays()
         simulation.tell(ONLY, observation, told)

@@ -125,7 +125,7 @@ def rigid_body_hindered(x: Any, v: Any, body: Body) -> tuple:
     return hindered(x, rigid_dynamics(x, v, body.rig, sin, cos), body.viscous, body.coulomb, body.torques, cos)
 
 
-derivative = equation_3  # `kernels` binds this name to the one that is needed
+derivative = equation_3  # a name that `kernels` binds to the one that is needed
 
 
 # Rows of one helicopter. Spelt out, for the compiler sees what overlaps in memory through one call but not through two,
@@ -278,6 +278,29 @@ def integrate(block: Any, n: int, h: Any) -> None:
         put_two(block, ROTOR, i, (end_f, end_b))
 
 
+def fly_hindered(block: Any, n: int, s: Settings) -> None:
+    """One control period with all that a plant may add to (3)."""
+    amplify(block, n, s)
+    h = s.period / s.substeps
+    if s.disturbances > 0.0:
+        blow(block, n, s)
+    for k in range(int(s.substeps)):
+        if s.disturbances > 0.0:
+            disturb(block, n, s, (k + 0.5) * h)
+        integrate(block, n, h)
+
+
+def fly_plain(block: Any, n: int, s: Settings) -> None:
+    """One control period of (3) with rotors that follow at once: what `fly_hindered` does then, with less to keep."""
+    for i in range(n):
+        p, (u_f, u_b) = HelicopterParameters(*eight(block, PARAMETERS, i)), two(block, ASKED, i)
+        v = virtual_input((thrust(u_f, p), thrust(u_b, p)))
+        put_six(block, X, i, rk4_step(derivative, six(block, X, i), (v, v, v), s.period, Body(p, (), (), (), ())))
+
+
+fly = fly_hindered  # as `derivative`
+
+
 def make_noise(block: Any, n: int, step: int) -> None:
     """The noise on the three angles, so many steps from where STEP tells."""
     for axis in range(3):
@@ -329,14 +352,7 @@ def judge(block: Any, n: int, s: Settings) -> None:
 
 def control_step(block: Any, n: int, s: Settings, table: Any) -> None:
     """One control period with the voltages asked for."""
-    amplify(block, n, s)
-    h = s.period / s.substeps
-    if s.disturbances > 0.0:
-        blow(block, n, s)
-    for k in range(int(s.substeps)):
-        if s.disturbances > 0.0:
-            disturb(block, n, s, (k + 0.5) * h)
-        integrate(block, n, h)
+    fly(block, n, s)
     if s.is_sensed > 0.0:
         if s.is_noisy > 0.0:
             make_noise(block, n, 1)
@@ -546,7 +562,7 @@ def step_one(memory: Any, front: Any, back: Any, observation: Any, told: Any) ->
     return s.period * block[STEP * ROW], block[REWARD * ROW], block[COST * ROW], over
 
 
-LOOPS = (command, amplify, blow, disturb, integrate, make_noise, measure, look_up, judge, report)
+LOOPS = (command, amplify, blow, disturb, integrate, fly_plain, make_noise, measure, look_up, judge, report)
 
 
 class Kernels(NamedTuple):
@@ -558,30 +574,32 @@ class Kernels(NamedTuple):
 
 
 @cache
-def kernels(dtype: type, rhs: Callable) -> Kernels:
-    """The compiled simulation for one kind of number and one right-hand side.
+def kernels(dtype: type, rhs: Callable, fly: Callable) -> Kernels:
+    """The compiled simulation for one kind of number, one right-hand side and one way to fly a control period.
 
     Compiled at the first call of each function, and then kept on disk.
     """
     version = f"{source_version()} {dtype.__name__}"
-    start_up, compiler = compiler_of(dtype, equation_3), compiler_of(dtype, rhs)
+    start_up, compiler = compiler_of(dtype, equation_3, fly_plain), compiler_of(dtype, rhs, fly)
     return Kernels(
-        start_up.entry(begin, version), start_up.entry(tell, version), compiler.entry(step, f"{version} {rhs.__name__}")
+        start_up.entry(begin, version),
+        start_up.entry(tell, version),
+        compiler.entry(step, f"{version} {rhs.__name__} {fly.__name__}"),
     )
 
 
 @cache
-def one_step(rhs: Callable) -> Callable:
-    """The compiled `step_one`, for double precision and one right-hand side."""
+def one_step(rhs: Callable, fly: Callable) -> Callable:
+    """The compiled `step_one`, for double precision."""
     numbers = types.float64[::1]
     arguments = numbers, types.float64, types.float64, types.float32[::1], numbers
     returns = types.Tuple((*[types.float64] * 3, types.int64))
-    version = f"{source_version()} {rhs.__name__}"
-    return compiler_of(float64, rhs).entry(step_one, version, returns(*arguments))
+    version = f"{source_version()} {rhs.__name__} {fly.__name__}"
+    return compiler_of(float64, rhs, fly).entry(step_one, version, returns(*arguments))
 
 
 @cache
-def compiler_of(dtype: type, rhs: Callable) -> Compiler:
+def compiler_of(dtype: type, rhs: Callable, fly: Callable) -> Compiler:
     """What knows the functions that are compiled already."""
-    names = {"sin": elementary.sine, "cos": elementary.cosine, "derivative": rhs}
+    names = {"sin": elementary.sine, "cos": elementary.cosine, "derivative": rhs, "fly": fly}
     return Compiler(dtype, names, LOOPS, careful=(are_finite,))

@@ -30,7 +30,7 @@ from heli_gym.kernels import (
     Settings,
     X,
 )
-from heli_gym.plant import AXES, ROTORS, Gust, MovingMass, Plant, Push, RotorFault
+from heli_gym.plant import AXES, ROTORS, Gust, MovingMass, Plant, Push, RotorFault, Rotors
 from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.task import FEATURES, Shown, control_steps, reference_features, shown_by, shown_by_any
 from heli_gym.trajectory import Sampler, Trajectory
@@ -131,6 +131,8 @@ class Simulation:
         self.control_period, self.voltage_limits, self.pitch_limit = control_period, voltage_limits, pitch_limit
         all_plants = [p for p, _ in group_by_identity(plants)]
         self.rhs = right_hand_side(all_plants)
+        immediate = all(p.is_plain and p.rotors == Rotors() for p in all_plants)
+        self.fly = kernels.fly_plain if immediate else kernels.fly_hindered
         disturbances = max(len(p.disturbances) for p in all_plants)
         delay = max(p.rotors.delay for p in all_plants)
         settings = Settings(
@@ -198,7 +200,7 @@ class Simulation:
 
     def _bind(self) -> None:
         """Finds the compiled functions, and the parts of the memory: what is not pickled."""
-        self.kernels = kernels.kernels(self.dtype, self.rhs)
+        self.kernels = kernels.kernels(self.dtype, self.rhs, self.fly)
         end = SETTINGS + -(-len(self.plants) // LANES) * self.size
         self.settings, self.blocks, self.flat_table = np.split(self.memory, (SETTINGS, end))
         self.table = self.flat_table.reshape(-1, FEATURES)

@@ -258,7 +258,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         return {
             "state": state,
             "_state": mask,
-            "measurement": told[MEASURED : MEASURED + 6].T if len(told) > MEASURED else state.copy(),
+            "measurement": told[MEASURED : MEASURED + 6].T if len(told) > MEASURED else state.copy(order="K"),
             "_measurement": mask,
             "time": self.control_period * told[STEP],
             "_time": mask,

@@ -180,7 +180,7 @@ def test_sine_and_cosine_are_exact_to_two_units_in_the_last_place(ours, exact):
     rng = np.random.default_rng(0)
     near = rng.integers(-60000, 60000, 20000) * (np.pi / 2) + rng.normal(0.0, 1e-3, 20000)
     x = np.concatenate((rng.uniform(-1e5, 1e5, 200000), rng.uniform(-4.0, 4.0, 200000), near, [0.0, -0.0]))
-    compiled = kernels.compiler_of(np.float64, kernels.equation_3).part(ours)
+    compiled = kernels.compiler_of(np.float64, kernels.equation_3, kernels.fly_plain).part(ours)
     told, right = np.array([compiled(v) for v in x]), exact(x)
     # beside a zero of the function, what is left of the reduction counts
     assert (np.abs(told - right) <= 2.0 * np.spacing(np.abs(right)) + 1e-20).all()
@@ -188,7 +188,7 @@ def test_sine_and_cosine_are_exact_to_two_units_in_the_last_place(ours, exact):
 
 def test_the_normal_numbers_are_normal_and_independent():
     keys = np.random.default_rng(0).random(200)
-    compiled = kernels.compiler_of(np.float64, kernels.equation_3).part(standard_normal)
+    compiled = kernels.compiler_of(np.float64, kernels.equation_3, kernels.fly_plain).part(standard_normal)
     z = np.array([[[compiled(key, float(k), channel) for channel in range(4)] for k in range(100)] for key in keys])
     assert abs(z.mean()) < 0.01
     assert z.std() == pytest.approx(1.0, abs=0.01)
