@@ -23,6 +23,7 @@ from heli_gym.kernels import (
     OBSERVED,
     STEP,
     TABLE,
+    TIME,
     TOLD_AND_MEASURED,
     X,
     one_step,
@@ -238,7 +239,7 @@ class Heli3DOFEnv(gym.Env):
         return observation[0], {
             "state": state,
             "measurement": told[MEASUREMENT, 0] if simulation.told == TOLD_AND_MEASURED else state.copy(),
-            "time": self.control_period * float(told[STEP, 0]),
+            "time": float(told[TIME, 0]),
             "plant": self.drawn_plant,
         }
 

@@ -29,25 +29,25 @@ LANES = 128
 ROW = LANES + 8  # numbers from one row to the next; were it a power of two, rows would fight for places in the cache
 NOT_NEGATIVE = 2**40 - 1  # a mask that tells the compiler so, that it need not think of places counted from the end
 
-# Rows of a block. What a step tells of a helicopter: (44), V, the last reward and cost, flags, control steps flown:
-X, ASKED, REWARD, COST, TERMINATED, TRUNCATED, STEP = 0, 6, 8, 9, 10, 11, 12
+# Rows of a block. What a step tells of a helicopter: (44), V, the last reward and cost, flags, time on its reference:
+X, ASKED, REWARD, COST, TERMINATED, TRUNCATED, TIME = 0, 6, 8, 9, 10, 11, 12
 MEASURED = 13  # (44), where sensors are not exact
 TOLD, TOLD_AND_MEASURED = 13, 19  # rows
-# what it remembers besides: voltages in V, the last step of its reference and the first of its rows in the table, a
-# number in [0, 1), and u_min, u_max, pitch_min, pitch_max of its reference:
-MOTOR, ROTOR, LAST, TABLE, KEY, LIMITS, PITCH_LIMITS = 19, 21, 23, 24, 25, 26, 28
+# what it remembers besides: voltages in V, the present and the last step of its reference and the first of its rows in
+# the table, a number in [0, 1), and u_min, u_max, pitch_min, pitch_max of its reference:
+MOTOR, ROTOR, STEP, LAST, TABLE, KEY, LIMITS, PITCH_LIMITS = 19, 21, 23, 24, 25, 26, 27, 29
 # what it is, in the order of `simulation.numbers`:
-NUMBERS = PARAMETERS = 30
-RIG, RIG_REST, LAG, LOSS, SLEW, DELAY, VISCOUS, COULOMB = 38, 46, 49, 50, 51, 52, 53, 56
-COUNTS, NOISE, RATE_FILTER = 59, 62, 63
+NUMBERS = PARAMETERS = 31
+RIG, RIG_REST, LAG, LOSS, SLEW, DELAY, VISCOUS, COULOMB = 39, 47, 50, 51, 52, 53, 54, 57
+COUNTS, NOISE, RATE_FILTER = 60, 63, 64
 # what follows from that and from the control period, and is kept for speed:
-LAG_KEPT, RATE_KEPT = 64, 65
+LAG_KEPT, RATE_KEPT = 65, 66
 # what is passed on within a step: what the disturbances amount to, the reference's state and nominal voltages, the
 # voltage that arrives at a motor, and noise on the angles:
-TORQUES, A2_CHANGE, EFFECT, REFERENCE, NOMINAL, ARRIVING, ON_ANGLES = 66, 69, 70, 72, 78, 80, 81
+TORQUES, A2_CHANGE, EFFECT, REFERENCE, NOMINAL, ARRIVING, ON_ANGLES = 67, 70, 71, 73, 79, 81, 82
 # its disturbances, DISTURBANCE rows each, and after the last one the voltages still delayed, the oldest first:
-DISTURBANCES, DISTURBANCE = 84, 8
-KIND, CHANNEL, AMOUNT, TIME, DURATION, CORRELATION, KEPT, GUST = range(8)
+DISTURBANCES, DISTURBANCE = 85, 8
+KIND, CHANNEL, AMOUNT, BEGIN, DURATION, CORRELATION, KEPT, GUST = range(8)
 PUSH, WANDER, SLIDE = range(3)
 
 OBSERVED = 8 + FEATURES  # numbers of an observation
@@ -324,7 +324,7 @@ def measure(block: Any, n: int, s: Settings) -> None:
             block[(MEASURED + 2 * axis + 1) * ROW + i] = true_rate if counts == 0.0 else estimate
 
 
-def look_up(block: Any, n: int, table: Any) -> None:
+def look_up(block: Any, n: int, s: Settings, table: Any) -> None:
     """On to the next step: the reference's state there, and its nominal voltages on the way."""
     for i in range(n):
         at = place(block, i)
@@ -332,7 +332,8 @@ def look_up(block: Any, n: int, table: Any) -> None:
         at += FEATURES
         x_ref = (table[at], table[at + 1], table[at + 2], table[at + 3], table[at + 4], table[at + 5])
         put_six(block, REFERENCE, i, x_ref)
-        block[STEP * ROW + i] += 1.0
+        step = block[STEP * ROW + i] + 1.0
+        block[STEP * ROW + i], block[TIME * ROW + i] = step, s.period * step
 
 
 def judge(block: Any, n: int, s: Settings) -> None:
@@ -357,7 +358,7 @@ def control_step(block: Any, n: int, s: Settings, table: Any) -> None:
         if s.is_noisy > 0.0:
             make_noise(block, n, 1)
         measure(block, n, s)
-    look_up(block, n, table)
+    look_up(block, n, s, table)
     judge(block, n, s)
 
 
@@ -422,6 +423,7 @@ def start(block: Any, i: int, s: Settings, table: Any, initial: Any, u: Any, sta
         block[STEP * ROW + i] = step
     elif s.random_start > 0.0:
         block[STEP * ROW + i] = floor(u[START_TIME] * initial[LAST])
+    block[TIME * ROW + i] = s.period * block[STEP * ROW + i]
     at = FEATURES * (int(initial[TABLE]) + int(block[STEP * ROW + i]))
     for k in range(6):
         block[(X + k) * ROW + i] = state[k] if len(state) > 0 else table[at + k]
@@ -518,14 +520,15 @@ def tell(
         observe(block, i, s, table, features, observation, OBSERVED * j)
 
 
-def step(blocks: Any, settings: Any, table: Any, actions: Any, observation: Any, told: Any) -> int:
-    """A control step of all helicopters under actions, two each: how many flights are over.
+def step(blocks: Any, settings: Any, table: Any, actions_2d: Any, observation_2d: Any, told_2d: Any) -> int:
+    """A control step of all helicopters under actions (N, 2): how many flights are over.
 
-    If an action is not finite, nothing is done and the answer is -1. Writes observations, OBSERVED numbers of each
-    helicopter, and what is told, row by row.
+    If an action is not finite, nothing is done and the answer is NOT_FINITE. Writes observations (N, OBSERVED) and what
+    is told, the first rows (..., N).
     """
+    actions, observation, told = actions_2d.reshape(-1), observation_2d.reshape(-1), told_2d.reshape(-1)
     if not are_finite(actions):
-        return -1
+        return NOT_FINITE
     s, count = shared(settings), len(actions) // 2
     size = len(blocks) // ((count + LANES - 1) // LANES)
     over = 0.0
@@ -559,7 +562,7 @@ def step_one(memory: Any, front: Any, back: Any, observation: Any, told: Any) ->
         for k in range(6):
             told[MEASURED + k] = told[X + k]
     over = int(block[TERMINATED * ROW] + 2.0 * block[TRUNCATED * ROW])
-    return s.period * block[STEP * ROW], block[REWARD * ROW], block[COST * ROW], over
+    return block[TIME * ROW], block[REWARD * ROW], block[COST * ROW], over
 
 
 LOOPS = (command, amplify, blow, disturb, integrate, fly_plain, make_noise, measure, look_up, judge, report)

@@ -157,7 +157,7 @@ class Simulation:
         rows = DISTURBANCES + DISTURBANCE * disturbances + 2 * delay
         self.initial = np.zeros((rows, len(plants)))  # of the blocks, at the start of a flight, but for what is drawn
         self.size = rows * ROW
-        self.actions: np.ndarray = np.zeros(2 * len(plants), dtype)
+        self.actions: np.ndarray = np.zeros((len(plants), 2), dtype)
         self.references: list[Trajectory | None] = [None] * len(plants)  # of the present flights
         self.drawn: dict[int, Trajectory] = {}  # those of the next flights, where they are not always the same
         self.shown: list[tuple[Any, Shown]] = []  # by each source
@@ -287,7 +287,7 @@ class Simulation:
     def arrays(self) -> tuple[np.ndarray, np.ndarray]:
         """New ones for observations (N, 49), and for what is told, the first rows (self.told, N)."""
         n = len(self.plants)
-        return np.empty((n, OBSERVED), np.float32), np.empty((self.told, n), self.blocks.dtype)
+        return np.empty((n, OBSERVED), np.float32), np.empty((self.told, n), self.dtype)
 
     def tell(self, helicopters: np.ndarray, observation: np.ndarray, told: np.ndarray) -> None:
         """What these helicopters (n,) observe and tell now, into their parts of such arrays."""
@@ -305,13 +305,11 @@ class Simulation:
     def step(self, actions: np.ndarray) -> tuple[int, np.ndarray, np.ndarray]:
         """A control step of all helicopters under actions (N, 2).
 
-        How many flights are over, and `arrays`. If an action is not finite, nothing is done, and the first is -1.
+        How many flights are over, and `arrays`. If an action is not finite, nothing is done, and that is NOT_FINITE.
         """
         observation, told = self.arrays()
-        self.actions[:] = actions.reshape(-1)
-        over = self.kernels.step(
-            self.blocks, self.settings, self.flat_table, self.actions, observation.reshape(-1), told.reshape(-1)
-        )
+        self.actions[:] = actions
+        over = self.kernels.step(self.blocks, self.settings, self.flat_table, self.actions, observation, told)
         return over, observation, told
 
     def errors(self) -> np.ndarray:

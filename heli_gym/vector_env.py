@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from heli_gym import task
 from heli_gym.env import Heli3DOFEnv, find_reference, scene_of
-from heli_gym.kernels import ASKED, COST, MEASURED, REWARD, STEP, TERMINATED, TRUNCATED, X
+from heli_gym.kernels import ASKED, COST, MEASURED, NOT_FINITE, REWARD, TERMINATED, TIME, TRUNCATED, X
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer
@@ -168,7 +168,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         if mode is AutoresetMode.DISABLED and self.is_waiting:
             raise gym.error.ResetNeeded(f"the episodes {np.flatnonzero(waiting)} are over: reset them before step")
         count, observation, told = self.simulation.step(actions)
-        if count < 0:
+        if count == NOT_FINITE:
             bad = np.flatnonzero(~np.isfinite(actions).all(axis=1))
             raise ValueError(f"actions[{bad[0]}] = {actions[bad[0]]}: two finite numbers are needed")
 
@@ -176,13 +176,16 @@ class Heli3DOFVectorEnv(VectorEnv):
         if mode is AutoresetMode.NEXT_STEP and self.is_waiting:
             flown = ~waiting
             self._begin(np.flatnonzero(waiting), observation, told)
-        terminated, truncated = told[TERMINATED] > 0.0, told[TRUNCATED] > 0.0
-        rewards = told[REWARD].astype(float)
+        rewards = np.asarray(told[REWARD], float)
+        if count:
+            terminated, truncated = told[TERMINATED] > 0.0, told[TRUNCATED] > 0.0
+            self.over = terminated | truncated
+            rewards = rewards.copy()  # the next flight may start before this is returned
+        else:
+            terminated, truncated, self.over = np.zeros((3, self.num_envs), bool)
         info = self._info(told, self.all)
         info["voltage"], info["cost"] = told[ASKED : ASKED + 2].T, told[COST]
         info["_voltage"] = info["_cost"] = flown
-        # those that have just begun are not over, whatever `count` says
-        self.over = terminated | truncated if count else np.zeros(self.num_envs, bool)
         self.is_waiting = count > 0 and bool(self.over.any())
         if self.is_waiting:
             self._end(info, observation, told, truncated)
@@ -260,7 +263,7 @@ class Heli3DOFVectorEnv(VectorEnv):
             "_state": mask,
             "measurement": told[MEASURED : MEASURED + 6].T if len(told) > MEASURED else state.copy(order="K"),
             "_measurement": mask,
-            "time": self.control_period * told[STEP],
+            "time": told[TIME],
             "_time": mask,
         }
 

@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from heli_gym import compilation, kernels
 from heli_gym.elementary import cosine, sine, standard_normal
 from heli_gym.env import find_reference
-from heli_gym.kernels import ASKED, LAG, LANES, REWARD, STEP, TRUNCATED, X
+from heli_gym.kernels import ASKED, LAG, LANES, REWARD, STEP, TIME, TRUNCATED, X
 from heli_gym.model import rk4_step, thrust, virtual_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters
 from heli_gym.plant import PLANTS, Gust, MovingMass, Plant, Push, RotorFault, Rotors, Sensors
@@ -127,7 +127,7 @@ def test_plants_delays_and_references_may_differ_from_helicopter_to_helicopter()
             alone.step(action[j : j + 1])
             # a lag-free plant takes shorter steps beside one with lag
             assert_allclose(told[X : X + 6, j], alone.rows(X, 6)[:, 0], rtol=0.0, atol=1e-9)
-            assert told[STEP, j] == alone.rows(STEP, 1)[0, 0]
+            assert told[TIME, j] == 0.02 * alone.rows(STEP, 1)[0, 0]
 
 
 def test_the_plant_that_is_told_is_the_plant_that_is_flown():
