@@ -2,11 +2,14 @@
 
     python benchmarks/environment.py [--quick] [--table out/environment.md]
 
-Gymnasium's environments are always there; EnvPool and gymnax are measured where they can be imported. All rates are
-medians of runs that take turns, so that a machine that slows down slows all of them down: quote the ratios.
+Gymnasium's environments are always there; EnvPool (with six) and gymnax are measured where they can be imported, and so
+is PPO, with the extra `train`. All rates are medians of runs that take turns, so that a machine that slows down slows
+all of them down: quote the ratios. `benchmarks/simulators.py` is for those that cannot live beside numpy 2.
 """
 
 import argparse
+import importlib.util
+import math
 import os
 import statistics
 import time
@@ -154,10 +157,53 @@ def table_of_many(n: int, seconds: float) -> list[str]:
     for plant, dtype in (("nominal", "float64"), ("nominal", "float32"), ("lab", "float64"), ("rigid", "float64")):
         runners[f"{HELI} {plant}, {dtype}"] = many(gym.make_vec(HELI, n, plant=plant, dtype=dtype), n)
     found = rates(runners, seconds)
-    lines = [f"| {n} environments | env-steps/s | ns | of CartPole-v1 |", "|---|---|---|---|"]
-    return lines + [
-        f"| {name} | {rate:,.0f} | {1e9 / rate:.1f} | {rate / found[cartpole]:.2f} |" for name, rate in found.items()
+    acrobot = found.get("Acrobot-v1, EnvPool, 1 thread", math.nan)
+    lines = [
+        f"| {n} environments | env-steps/s | ns | of CartPole-v1 | of EnvPool's Acrobot-v1 |",
+        "|---|---|---|---|---|",
     ]
+    return lines + [
+        f"| {name} | {rate:,.0f} | {1e9 / rate:.1f} | {rate / found[cartpole]:.2f} | {rate / acrobot:.1f} |"
+        for name, rate in found.items()
+    ]
+
+
+def floor_of_many(n: int) -> str:
+    """What it takes a core to write nothing but the observations, into memory that is not in its cache any more."""
+    buffers, row = [np.empty((n, 49), np.float32) for _ in range(4)], np.ones(49, np.float32)
+    begin, rounds = time.perf_counter(), max(4, 400_000 // n)
+    for k in range(rounds):
+        buffers[k % 4][:] = row
+    return f"Writing 49 numbers for each of {n} takes {1e9 * (time.perf_counter() - begin) / rounds / n:.1f} ns."
+
+
+def share_of_ppo(n: int = 256, rollout: int = 32) -> str:
+    """How much of Stable-Baselines3's PPO is spent in the environment."""
+    import torch
+    from stable_baselines3 import PPO
+
+    from heli_gym.vector_env import Heli3DOFVectorEnv
+    from train.vec_env import HeliVecEnv
+
+    torch.set_num_threads(1)
+    envs = HeliVecEnv(Heli3DOFVectorEnv(n, autoreset_mode="SameStep"))
+    step, spent = envs.step_wait, [0.0]
+
+    def timed_step():
+        begin = time.perf_counter()
+        result = step()
+        spent[0] += time.perf_counter() - begin
+        return result
+
+    envs.step_wait = timed_step  # type: ignore[method-assign]
+    agent = PPO("MlpPolicy", envs, n_steps=rollout, batch_size=2048, n_epochs=10, device="cpu")
+    agent.learn(2 * n * rollout)
+    spent[0], begin = 0.0, time.perf_counter()
+    agent.learn(8 * n * rollout)
+    took = time.perf_counter() - begin
+    return (
+        f"PPO with {n} environments: {8 * n * rollout / took:,.0f} steps/s, {spent[0] / took:.1%} in the environment."
+    )
 
 
 def main() -> None:
@@ -172,6 +218,9 @@ def main() -> None:
     lines += ["", *table_of_one(seconds)]
     for n in args.sizes:
         lines += ["", *table_of_many(n, seconds)]
+        lines += ["", floor_of_many(n)]
+    if importlib.util.find_spec("stable_baselines3"):
+        lines += ["", share_of_ppo()]
     print("\n".join(lines))
     if args.table:
         args.table.parent.mkdir(parents=True, exist_ok=True)
