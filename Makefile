@@ -27,7 +27,7 @@ reproduce: $(VENV)/dev
 	@echo "twenty training runs of about three minutes each on an idle core, then the tables: an hour or two"
 	for plant in lab rigid; do \
 	  for seed in $(SEEDS); do $(BIN)/heli-train --plant $$plant --seed $$seed --out out/train || exit 1; done; \
-	  $(BIN)/python -m train.results --plant $$plant --runs out/train/ppo-$$plant-kalman-lqr-* --out out/results || exit 1; \
+	  $(BIN)/python -m train.results --plant $$plant --methods out/train/$$plant/* --out out/results || exit 1; \
 	done
 
 clean:

@@ -87,7 +87,9 @@ def test_a_reset_forgets_the_last_flight_and_without_one_it_is_remembered(base):
 
 @pytest.mark.parametrize("plant", ["lab", "rigid"])
 def test_the_policies_of_the_package_are_those_of_the_first_seed(plant):
-    (settings, shipped), (other, first) = (load_learned(path) for path in (LEARNED / plant, RESULTS / plant / "0/best"))
+    (settings, shipped), (other, first) = (
+        load_learned(path) for path in (LEARNED / plant, RESULTS / plant / "residual/0/best")
+    )
     assert settings == other and settings.plant == plant
     for a, b in zip((*shipped.weights, *shipped.biases), (*first.weights, *first.biases)):
         assert_array_equal(a, b)

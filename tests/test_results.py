@@ -1,20 +1,25 @@
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 pytest.importorskip("rich")
 
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 from rich.console import Console
 from scipy.stats import norm
 
 from baselines import fly, make_policy
+from baselines.residual import load_learned, save_learned
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import Plant, Push
+from heli_gym.vector_env import Heli3DOFVectorEnv
 from train import results
 from train.oracle import EFFORT, Oracle
 from train.results import Args, compare, improvement, interquartile_mean, mean_with_interval, table_of
+
+RESULTS = Path(__file__).parents[1] / "results"
 
 
 def test_the_interquartile_mean_is_the_mean_of_the_middle_half():
@@ -69,9 +74,22 @@ def test_every_policy_flies_the_same_draws_and_the_table_says_what_they_did(tmp_
     assert (tmp_path / "profiles.png").read_bytes()[:4] == b"\x89PNG"
 
 
+def test_a_method_is_flown_once_for_each_of_its_seeds(tmp_path):
+    seeds = [RESULTS / f"lab/residual/{seed}/best" for seed in (0, 1)]
+    for seed, path in enumerate(seeds):
+        save_learned(tmp_path / f"mine/{seed}/best", *load_learned(path))
+    args = Args(policies=("kalman-lqr",), against="kalman-lqr", methods=(tmp_path / "mine",), episodes=3, out=tmp_path)
+    found = compare(args, Console(quiet=True))["mine"]
+    assert found.shape == (len(results.METRICS), 2, 3)
+    envs = Heli3DOFVectorEnv(3, "lab", start_spread_deg=results.START_SPREAD_DEG)
+    assert_array_equal(found[:, 1], results.measured(envs, f"{seeds[1]}.json", args.seed))
+
+
 @pytest.mark.parametrize(
     ("change", "name"),
     [
+        ({"methods": (Path("nowhere"),)}, "nowhere"),
+        ({"methods": (RESULTS / "lab/residual", RESULTS / "rigid/residual")}, "two are called 'residual'"),
         ({"episodes": 1}, "episodes"),
         ({"against": "zero"}, "against"),
         ({"oracle": -1}, "oracle"),

@@ -40,8 +40,7 @@ class Args:
     """Compare policies on held-out draws of a plant."""
 
     plant: str = "lab"
-    runs: tuple[Path, ...] = ()  # folders that heli-train left, of one method and plant, a seed each
-    label: str = "residual"  # of the method that learned in these runs
+    methods: tuple[Path, ...] = ()  # folders of what heli-train left, with a folder for each seed in them
     policies: tuple[str, ...] = ("feedforward+tvlqr", "lqi", "lag-lqr", "lag-lqi", "kalman-lqr")
     against: str = "feedforward+tvlqr"  # which of them the others are compared with
     reference: str = "travel-360"
@@ -125,8 +124,13 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         raise ValueError(f"against = {args.against!r}: one of policies = {args.policies} is needed")
     envs = Heli3DOFVectorEnv(args.episodes, args.plant, args.reference, start_spread_deg=START_SPREAD_DEG)
     names = {name: [name] for name in args.policies}
-    if args.runs:
-        names[args.label] = [str(run / "best.json") for run in args.runs]
+    for method in args.methods:
+        found = sorted(method.glob("*/best.json"), key=lambda path: path.parent.name)
+        if not found:
+            raise ValueError(f"methods: {str(method)!r} has no folders with a best.json in them")
+        if method.name in names:
+            raise ValueError(f"methods: two are called {method.name!r}")
+        names[method.name] = [str(path) for path in found]
     jobs = [(label, name) for label, group in names.items() for name in group]
     results: dict[str, list[np.ndarray]] = {label: [] for label in names}
     for label, name in track(jobs, "flying", console=console):

@@ -92,11 +92,11 @@ def check(args: Args) -> None:
 
 
 def run_folder(args: Args) -> Path:
-    """Where the run with these settings leaves what it leaves."""
-    base = args.base if args.mode == "residual" else "scratch"
-    hidden = "".join(f"-{name}" for name in GROUPS if name not in args.sees)
-    hidden += "" if args.privileged else "-privileged"
-    return args.out / f"{args.algo}-{args.plant}-{base}{hidden and f'-without{hidden}'}-{args.seed}"
+    """Where the run with these settings leaves what it leaves: a folder for each plant, method and seed."""
+    method = f"{args.algo}-{args.base}" if args.mode == "residual" else f"{args.algo}-scratch"
+    for name in (*(group for group in GROUPS if group not in args.sees), *([] if args.privileged else ["privileged"])):
+        method += f"-without-{name}"
+    return args.out / args.plant / method / str(args.seed)
 
 
 # The helicopters and the agent
@@ -190,6 +190,7 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     """Trains, or goes on, and returns the folder of the run; `stop_after` so many chunks, as if interrupted."""
     check(args)
     folder = run_folder(args)
+    name = "/".join(folder.parts[-3:])
     (folder / "checkpoints").mkdir(parents=True, exist_ok=True)
     torch.set_num_threads(1)
     reference = find_reference(args.reference)
@@ -216,7 +217,7 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     chunks = -(-args.steps // (args.chunk * args.envs))
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, disable=not args.progress) as progress:
-        bar = progress.add_task(f"{folder.name}", total=chunks, completed=len(history) - 1)
+        bar = progress.add_task(name, total=chunks, completed=len(history) - 1)
         for number in range(len(history) - 1, chunks if stop_after is None else min(chunks, stop_after)):
             learn(args, agent, helicopters, number, chunks)
             row = {"steps": agent.num_timesteps, **validate(args, agent, judges, VALIDATION_SEED)}
@@ -224,8 +225,8 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
             if score(args, row) > best_so_far:
                 best_so_far = score(args, row)
                 save_learned(folder / "best", learned(args, helicopters), network_of(agent))
-            for name, value in row.items():
-                agent.logger.record(f"validation/{name}", np.mean(value))
+            for metric, value in row.items():
+                agent.logger.record(f"validation/{metric}", np.mean(value))
             agent.logger.dump(agent.num_timesteps)
             write_json(folder / "history.json", history)
             save_checkpoint(folder / "checkpoints", number, state_of(agent, history))
@@ -233,7 +234,7 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
             progress.update(
                 bar,
                 advance=1,
-                description=f"{folder.name}: return {row['episode_return']:.2f} s, RMS {travel:.2f}°, {elevation:.2f}°",
+                description=f"{name}: return {row['episode_return']:.2f} s, RMS {travel:.2f}°, {elevation:.2f}°",
             )
     return folder
 
