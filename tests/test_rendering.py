@@ -391,7 +391,6 @@ def test_gymnasiums_wrappers_collect_and_show_the_pictures():
 
 
 def test_record_video_writes_a_video(tmp_path):
-    pytest.importorskip("moviepy")
     env = RecordVideo(gym.make("Heli3DOF-v0", render_mode="rgb_array"), str(tmp_path / "videos"), video_length=10)
     env.reset(seed=0)
     for _ in range(12):
