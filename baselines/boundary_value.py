@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.polynomial import Polynomial
 from numpy.polynomial.polynomial import polyval
 from scipy.integrate import solve_bvp
 
+from baselines.compilation import kept
 from baselines.normal_form import ddy1_bounds, ddy2_bounds, feedforward, internal_dynamics, thrust_bounds
 from baselines.saturation import Saturation, ddy2, psi1, psi1_inverse, psi2_bounds, ramp
 from heli_gym.model import fan_thrusts, voltage
@@ -138,6 +140,36 @@ def constrained_motion(Y: Any, phi: Any, pitch_bounds: Any, f: Any, parameters: 
     return Motion(pitch, dxi2, ddy1, v1, v2, ddy1 == phi1, dxi2 == phi2)
 
 
+def new_inputs(tau: float, p: Any) -> tuple:
+    """Equation (39): phi1 and phi2 at a share tau of the duration, for parameters p (6,)."""
+    phi1, phi2 = 0.0, 0.0
+    power = tau
+    for k in range(KAPPA[0]):
+        power *= tau
+        phi1 += p[k] * (power - tau)
+    power = tau
+    for k in range(KAPPA[1]):
+        power *= tau
+        phi2 += p[KAPPA[0] + k] * (power - tau)
+    return phi1, phi2
+
+
+@cache
+def sampling_kernel() -> Callable:
+    """Compiled: fills in states x (6, K) and thrusts (2, K) of states Y (6, K) of (38), at K equidistant times."""
+
+    def sample(Y, p, pitch_bounds, f, parameters, x, thrusts):
+        for k in range(Y.shape[1]):
+            y1, dy1, xi1, xi2, eta, deta = Y[0, k], Y[1, k], Y[2, k], Y[3, k], Y[4, k], Y[5, k]
+            phi = new_inputs(k / (Y.shape[1] - 1), p)
+            motion = constrained_motion((y1, dy1, xi1, xi2, eta, deta), phi, pitch_bounds, f, parameters)
+            x[0, k], x[1, k], x[2, k], x[3, k] = eta, deta, y1, dy1
+            x[4, k], x[5, k] = motion.pitch.value, motion.pitch.slope * xi2
+            thrusts[0, k], thrusts[1, k] = fan_thrusts((motion.v1, motion.v2))
+
+    return kept(sample, fast=True)
+
+
 def constrained_rhs(Y: Any, motion: Motion, parameters: HelicopterParameters) -> tuple:
     """Time derivative of the states Y (6, ...) of (38)."""
     y1, dy1, _, xi2, _, deta = Y
@@ -152,7 +184,7 @@ def motion_gradients(Y: Any, motion: Motion, f: Any, parameters: HelicopterParam
     p, m = parameters, motion
     y1, xi2 = Y[0], Y[3]
     y2, slope, curvature, third = m.pitch
-    sin1, cos1, sin2, cos2, tan2 = np.sin(y1), np.cos(y1), np.sin(y2), np.cos(y2), np.tan(y2)
+    sin1, cos1, sin2, cos2 = np.sin(y1), np.cos(y1), np.sin(y2), np.cos(y2)
 
     # (11b): ddy2 = a3 cos(y1) sin(y2) + b3 v2. Off the bounds of (33), v2 follows from (30); on them, it is constant.
     v2_y1 = p.a3 / p.b3 * sin1 * sin2
@@ -176,7 +208,7 @@ def motion_gradients(Y: Any, motion: Motion, f: Any, parameters: HelicopterParam
     )
 
     # (14a)
-    ratio, rest = p.b1 / p.b2, m.ddy1 - lift
+    ratio, rest, tan2 = p.b1 / p.b2, m.ddy1 - lift, sin2 / cos2
     k = ratio * tan2 * cos1
     ddeta = (
         k * (ddy1[0] - d_lift) - ratio * tan2 * sin1 * rest,
@@ -266,13 +298,12 @@ class ConstrainedProblem:
     def trajectory(self, solution: Solution) -> Trajectory:
         """The solution as states and voltages, by (25), (28), (13) and the inverse of (4) and (2)."""
         t = sample_times(self.maneuver)
-        Y = solution.interpolate(t)
-        motion = self.motion(t, Y, solution.p)
-        y1, dy1, _, xi2, eta, deta = Y
-        x = np.stack((eta, deta, y1, dy1, motion.pitch.value, motion.pitch.slope * xi2))
+        x, thrusts = np.empty((6, len(t))), np.empty((2, len(t)))
+        f = thrust_bounds(self.maneuver.limits, self.maneuver.parameters)
+        Y = np.ascontiguousarray(solution.interpolate(t))
+        sampling_kernel()(Y, solution.p, self.pitch_bounds, f, self.maneuver.parameters, x, thrusts)
         x[:, [0, -1]] = self.ends()[:, [4, 5, 0, 1, 3, 3]].T  # exact ends: xi2 = 0 gives q3 = dq3 = 0
-        u = voltage(fan_thrusts((motion.v1, motion.v2)), self.maneuver.parameters)
-        return Trajectory(t, x, u, self.maneuver.limits)
+        return Trajectory(t, x, voltage(thrusts, self.maneuver.parameters), self.maneuver.limits)
 
 
 def sample_times(maneuver: Maneuver) -> np.ndarray:

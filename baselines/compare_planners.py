@@ -26,8 +26,9 @@ from baselines import figures
 from baselines.collocation import collocate
 from baselines.flight import fly
 from baselines.metrics import flight_metrics
-from baselines.planner import ARRIVAL_TOLERANCE, FASTEST, LIMIT_TOLERANCE, InfeasibleManeuver, plan, plan_fastest
+from baselines.planner import FASTEST, plan, plan_fastest
 from baselines.policies import make_policy
+from baselines.search import ARRIVAL_TOLERANCE, LIMIT_TOLERANCE, InfeasibleManeuver
 from baselines.spline import easy_duration
 from heli_gym.model import dynamics, hover_input, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters, Limits

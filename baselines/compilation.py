@@ -1,52 +1,48 @@
-"""The equations, compiled as they stand by numba, and kept on disk for as long as they stay the same."""
+"""The equations, compiled as they stand, and kept on disk for as long as they and all that they call stay the same."""
 
 from collections.abc import Callable
 from functools import cache
+from hashlib import sha256
 from types import FunctionType
 from typing import Any
 
 
-@cache
 def compiled(function: Any) -> Callable:
-    """A function, and all functions that it calls, compiled."""
-    from numba import njit
-
-    return njit(error_model="numpy")(with_compiled_calls(function))
+    """A function, and all functions that it calls, compiled for other compiled functions."""
+    return compiler(False).part(function)
 
 
-def kept(function: Any) -> Callable:
-    """The same, and kept on disk, under a key that includes what is in the function's closure.
-
-    That has to be a `version` of all equations that are called, by `code_of`: numba looks at the function's own file.
-    Calls have to be of globals: of what is compiled, a closure would hold another identity in every process.
-    """
-    from numba import njit
-
-    assert "version" in function.__code__.co_freevars
-    return njit(error_model="numpy", cache=True)(with_compiled_calls(function))
+def kept(function: Any, fast: bool = False) -> Callable:
+    """The same for Python, and kept on disk; if fast, what meets a NaN need not become one."""
+    return compiler(fast).entry(function, sha256(repr(code_of(function)).encode()).hexdigest())
 
 
-def with_compiled_calls(function: Any) -> FunctionType:
-    """The function, calling compiled functions."""
-    called = {name: compiled(value) for name, value in calls(function).items()}
-    return FunctionType(
-        function.__code__,
-        {**function.__globals__, **called},
-        function.__name__,
-        function.__defaults__,
-        function.__closure__,
-    )
+@cache
+def compiler(fast: bool) -> Any:
+    """What knows the functions that are compiled already."""
+    from heli_gym.compilation import FAST, Compiler  # takes half a second
 
-
-def calls(function: Any) -> dict[str, FunctionType]:
-    """The functions among the globals that a function uses."""
-    names = {name: function.__globals__.get(name) for name in function.__code__.co_names}
-    return {name: value for name, value in names.items() if isinstance(value, FunctionType)}
+    return Compiler(fast=FAST if fast else ())
 
 
 def code_of(*functions: Any) -> tuple:
     """What functions, and all functions that they call, are compiled from."""
     return tuple(
-        (function.__code__.co_code, repr(function.__code__.co_consts), code_of(*calls(function).values()))
+        (function.__code__.co_code, repr(function.__code__.co_consts), numbers(function), code_of(*calls(function)))
         for function in functions
     )
+
+
+def calls(function: Any) -> list[FunctionType]:
+    """The functions among the globals that a function uses."""
+    return [value for value in used(function).values() if isinstance(value, FunctionType)]
+
+
+def numbers(function: Any) -> str:
+    """The numbers among the globals that a function uses."""
+    return repr({name: value for name, value in used(function).items() if isinstance(value, int | float | tuple)})
+
+
+def used(function: Any) -> dict[str, Any]:
+    """The globals that a function uses."""
+    return {name: function.__globals__[name] for name in function.__code__.co_names if name in function.__globals__}

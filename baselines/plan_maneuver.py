@@ -12,7 +12,8 @@ import tyro
 from rich.console import Console
 
 from baselines import figures
-from baselines.planner import InfeasibleManeuver, plan, plan_fastest
+from baselines.planner import plan, plan_fastest
+from baselines.search import InfeasibleManeuver
 from heli_gym.parameters import Limits
 from heli_gym.storage import check_folder
 from heli_gym.trajectory import Maneuver, Trajectory

@@ -9,7 +9,7 @@ from functools import cache
 
 import numpy as np
 
-from baselines.compilation import code_of, kept
+from baselines.compilation import kept
 from heli_gym.model import dynamics
 from heli_gym.parameters import HelicopterParameters
 
@@ -31,10 +31,8 @@ ERROR = (71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.
 @cache
 def replay_kernel() -> Callable:
     """The compiled `replay`; compiled at its first call, and then kept on disk for as long as (3) stays what it is."""
-    version = code_of(dynamics)
 
     def replay(x, v, duration, parameters):
-        version  # noqa: B018
         x, new, rates = x.copy(), np.empty(6), np.empty((7, 6))
         last = v.shape[1] - 1
         t, h, low, high = 0.0, 0.2 * LONGEST, x[4], x[4]

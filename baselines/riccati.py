@@ -10,7 +10,7 @@ from functools import cache
 
 import numpy as np
 
-from baselines.compilation import code_of, kept
+from baselines.compilation import kept
 from heli_gym.model import dynamics, linearise
 from heli_gym.parameters import HelicopterParameters
 
@@ -33,10 +33,8 @@ def dual_cos(z):
 @cache
 def linearising_kernel() -> Callable:
     """Compiled: fills in the given columns of J (N, 6, 8), the derivatives of (3) by state and input, at z (8, N)."""
-    version = code_of(dynamics, dual_sin, dual_cos)
 
     def linearise_along(z, columns, parameters, J):
-        version  # noqa: B018
         for n in range(z.shape[1]):
             for j in columns:
                 x = (
@@ -59,16 +57,15 @@ def linearising_kernel() -> Callable:
 def riccati_kernel() -> Callable:
     """Compiled: fills in P (2 N + 1, 6, 6), from its end backwards, given J (2 N + 1, 6, 8) at the same times.
 
-    Only the entries of J given by rows and columns are looked at; R is the inverse of the weight. A step h goes over
-    two entries, and the one between them is interpolated. Returns the largest of an estimate of the steps' errors, the
-    difference to the step of order three that the slope at its end makes possible, relative to the diagonal of P.
+    And the gains K (2, 6, 2 N + 1) of (51). Only the entries of J given by rows and columns are looked at; R is the
+    inverse of the weight. A step h goes over two entries, and the one between them is interpolated. Returns the
+    largest of an estimate of the steps' errors, the difference to the step of order three that the slope at its end
+    makes possible, relative to the diagonal of P.
     """
-    version = code_of(slope)
 
-    def integrate(P, J, rows, columns, Q, R, h):
-        version  # noqa: B018
-        S, W, V, now, k = np.empty((6, 6)), np.empty((6, 2)), np.empty((6, 2)), np.empty((6, 6)), np.empty((5, 6, 6))
-        last, worst = len(P) - 1, 0.0
+    def integrate(P, J, rows, columns, Q, R, h, K):
+        S, W, V, now, k = np.empty((6, 6)), np.empty((2, 6)), np.empty((2, 6)), np.empty((6, 6)), np.empty((5, 6, 6))
+        scale, last, worst = np.empty(6), len(P) - 1, 0.0
         slope(P[last], J[last], rows, columns, Q, R, S, W, V, k[4])
         for n in range(last, 0, -2):
             for i in range(6):
@@ -87,37 +84,49 @@ def riccati_kernel() -> Callable:
             slope(P[n - 2], J[n - 2], rows, columns, Q, R, S, W, V, k[4])
             error = 0.0
             for i in range(6):
+                scale[i] = 1.0 / (math.sqrt(abs(P[n - 2, i, i])) + TINY)
                 for j in range(i + 1):
-                    scale = math.sqrt(abs(P[n - 2, i, i] * P[n - 2, j, j])) + TINY
-                    error = max(error, h / 6.0 * abs(k[4, i, j] - k[3, i, j]) / scale)
+                    error = max(error, abs(k[4, i, j] - k[3, i, j]) * scale[i] * scale[j])
                     middle = 0.5 * (P[n, i, j] + P[n - 2, i, j]) + 0.125 * h * (k[0, i, j] - k[4, i, j])
                     P[n - 1, i, j] = P[n - 1, j, i] = middle
-            worst = max(worst, error)
+            worst = max(worst, h / 6.0 * error)
+        for n in range(last + 1):
+            feedback(P[n], J[n], rows, columns, R, W, V)
+            for i in range(6):
+                K[0, i, n], K[1, i, n] = V[0, i], V[1, i]
         return worst
 
     return kept(integrate)
 
 
 def slope(P, J, rows, columns, Q, R, S, W, V, rate):
-    """Fills in the lower triangle of -dP/dt (50); S, W and V are room for P A, P B and P B R^-1."""
+    """Fills in the lower triangle of -dP/dt (50); S is room for A' P, for W and V see `feedback`."""
     for i in range(6):
         for j in range(6):
             S[i, j] = 0.0
-        W[i, 0] = W[i, 1] = 0.0
     for k in range(len(rows)):
         row, column = rows[k], columns[k]
-        value = J[row, column]
         if column < 6:
             for i in range(6):
-                S[i, column] += value * P[i, row]
-        else:
-            for i in range(6):
-                W[i, column - 6] += value * P[i, row]
+                S[column, i] += J[row, column] * P[row, i]
+    feedback(P, J, rows, columns, R, W, V)
     for i in range(6):
-        V[i, 0] = W[i, 0] * R[0, 0] + W[i, 1] * R[1, 0]
-        V[i, 1] = W[i, 0] * R[0, 1] + W[i, 1] * R[1, 1]
         for j in range(i + 1):
-            rate[i, j] = S[i, j] + S[j, i] + Q[i, j] - V[i, 0] * W[j, 0] - V[i, 1] * W[j, 1]
+            rate[i, j] = S[i, j] + S[j, i] + Q[i, j] - V[0, i] * W[0, j] - V[1, i] * W[1, j]
+
+
+def feedback(P, J, rows, columns, R, W, V):
+    """Fills in W = B' P and the gains V = R^-1 B' P (51), both (2, 6)."""
+    for i in range(6):
+        W[0, i] = W[1, i] = 0.0
+    for k in range(len(rows)):
+        row, column = rows[k], columns[k]
+        if column >= 6:
+            for i in range(6):
+                W[column - 6, i] += J[row, column] * P[row, i]
+    for i in range(6):
+        V[0, i] = R[0, 0] * W[0, i] + R[0, 1] * W[1, i]
+        V[1, i] = R[1, 0] * W[0, i] + R[1, 1] * W[1, i]
 
 
 def jacobians_along(x: np.ndarray, v: np.ndarray, parameters: HelicopterParameters) -> tuple[np.ndarray, ...]:
@@ -138,11 +147,12 @@ def structure(parameters: HelicopterParameters) -> tuple[np.ndarray, ...]:
 
 def integrate(
     J: np.ndarray, rows: np.ndarray, columns: np.ndarray, Q: np.ndarray, R: np.ndarray, M: np.ndarray, h: float
-) -> tuple[np.ndarray, float]:
-    """P (2 N + 1, 6, 6) of (50), given the derivatives J (2 N + 1, 6, 8) at the same times, in N steps h in s.
+) -> tuple[np.ndarray, np.ndarray, float]:
+    """P (2 N + 1, 6, 6) of (50) and K (2, 6, 2 N + 1) of (51), by N steps h in s, given J (2 N + 1, 6, 8).
 
-    And an estimate, on the safe side, of the relative error of the worst of these steps.
+    And an estimate, on the safe side, of the relative error of the worst of these.
     """
-    P = np.empty((len(J), 6, 6))
+    P, K = np.empty((len(J), 6, 6)), np.empty((2, 6, len(J)))
     P[-1] = M
-    return P, riccati_kernel()(P, J, rows, columns, Q, np.linalg.inv(R), h)
+    error = riccati_kernel()(P, J, rows, columns, Q, np.linalg.inv(R), h, K)
+    return P, K, error

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from baselines import spline
-from baselines.planner import checked
+from baselines.search import checked
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.trajectory import Maneuver, Trajectory
 

@@ -7,12 +7,11 @@ and all parameters zero. Flights and their derivatives are compiled from `baseli
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial.polynomial import polyval
-from scipy.interpolate import CubicHermiteSpline
 
 from baselines.boundary_value import (
     CLOSEST_PITCH,
@@ -23,20 +22,21 @@ from baselines.boundary_value import (
     constrained_motion,
     constrained_rhs,
     motion_gradients,
+    new_inputs,
     setup_functions,
 )
-from baselines.compilation import code_of, kept
+from baselines.compilation import kept
 from baselines.normal_form import alpha1, alpha2, internal_dynamics, thrust_bounds
 from baselines.saturation import psi1, psi1_inverse
-from heli_gym.model import thrust, virtual_input
+from heli_gym.model import moved, thrust, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
-SEGMENTS = 20
-SEARCH, FINE = 5, 50  # Runge-Kutta steps of order four in a segment: to find the parameters, and to refine them
+SEGMENTS = 10
+SEARCH, FINE = 10, 70  # Runge-Kutta steps of order four in a segment: to find the parameters, and to refine them
 CLOSE = {SEARCH: 1e-3, FINE: 1e-6}  # rad and rad/s, between the segments and at the goal
 ITERATIONS = 25  # of Newton's method
-LEAST_STEP = 0.005  # share of Newton's step at which its method gives up
-STRETCHES = (1.0, 1.1, 1.21)  # of the duration, from which the search may start
+LEAST_STEP = 0.5  # share of Newton's step that has to do; smaller ones lead to solutions that swing the elevation
+STRETCHES = (1.0, 1.1, 1.21, 1.33, 1.5)  # of the duration, from which the search may start
 FARTHEST, NEAREST = 0.1, 0.01  # relative steps in which durations are shortened: the first, and when to give up
 NEWTON_STEPS = 20  # for the two parameters of the unconstrained plan
 FREE = 1e-3  # share of its window that a voltage stays off its limits where a plan tells the parameters of (39)
@@ -51,13 +51,11 @@ def shooting_kernel() -> Callable:
     the state there the derivatives (6, 7) by the parameters p (6,) of (39), the last column being what is missed, added
     up along the way: all as if the segments were joined, to first order.
     """
-    version = code_of(linearised, ahead, moved)
 
     def shoot(Y, p, goal, steps, duration, pitch_bounds, f, parameters, dY, missed, sensitivity):
-        version  # noqa: B018
         last = Y.shape[1] - 1
         h, each = duration / last, 1.0 / last
-        V, V_next, W = np.zeros((6, 7)), np.zeros((6, 7)), np.zeros((6, 7))
+        V, W = np.zeros((6, 7)), np.zeros((6, 7))
         k1, k2, k3, k4 = np.zeros((6, 7)), np.zeros((6, 7)), np.zeros((6, 7)), np.zeros((6, 7))
         now = (Y[0, 0], Y[1, 0], Y[2, 0], Y[3, 0], Y[4, 0], Y[5, 0])
         for n in range(last + 1):
@@ -68,13 +66,13 @@ def shooting_kernel() -> Callable:
             if n == last:
                 break
             middle = tau + 0.5 * each
-            moved(V, 0.5 * h, k1, W)
-            d2 = linearised(middle, ahead(now, 0.5 * h, d1), W, p, pitch_bounds, f, parameters, k2)
-            moved(V, 0.5 * h, k2, W)
-            d3 = linearised(middle, ahead(now, 0.5 * h, d2), W, p, pitch_bounds, f, parameters, k3)
-            moved(V, h, k3, W)
-            d4 = linearised(tau + each, ahead(now, h, d3), W, p, pitch_bounds, f, parameters, k4)
-            now = ahead(ahead(ahead(ahead(now, h / 6.0, d1), h / 3.0, d2), h / 3.0, d3), h / 6.0, d4)
+            varied(V, 0.5 * h, k1, W)
+            d2 = linearised(middle, moved(now, 0.5 * h, d1), W, p, pitch_bounds, f, parameters, k2)
+            varied(V, 0.5 * h, k2, W)
+            d3 = linearised(middle, moved(now, 0.5 * h, d2), W, p, pitch_bounds, f, parameters, k3)
+            varied(V, h, k3, W)
+            d4 = linearised(tau + each, moved(now, h, d3), W, p, pitch_bounds, f, parameters, k4)
+            now = moved(moved(moved(moved(now, h / 6.0, d1), h / 3.0, d2), h / 3.0, d3), h / 6.0, d4)
             for i in range(6):
                 for j in range(7):
                     V[i, j] += h / 6.0 * (k1[i, j] + 2.0 * (k2[i, j] + k3[i, j]) + k4[i, j])
@@ -89,7 +87,7 @@ def shooting_kernel() -> Callable:
                     m = n + 1
                     now = (Y[0, m], Y[1, m], Y[2, m], Y[3, m], Y[4, m], Y[5, m])
 
-    return kept(shoot)
+    return kept(shoot, fast=True)
 
 
 def linearised(tau, Y, V, p, pitch_bounds, f, parameters, dV):
@@ -97,16 +95,7 @@ def linearised(tau, Y, V, p, pitch_bounds, f, parameters, dV):
 
     Fills in that of V (6, 7), small changes of the states, of which the first six are due to the parameters.
     """
-    phi1, phi2 = 0.0, 0.0
-    power = tau
-    for k in range(KAPPA[0]):
-        power *= tau
-        phi1 += p[k] * (power - tau)
-    power = tau
-    for k in range(KAPPA[1]):
-        power *= tau
-        phi2 += p[KAPPA[0] + k] * (power - tau)
-    motion = constrained_motion(Y, (phi1, phi2), pitch_bounds, f, parameters)
+    motion = constrained_motion(Y, new_inputs(tau, p), pitch_bounds, f, parameters)
     ddy1, dxi2, ddeta = motion_gradients(Y, motion, f, parameters)
     for j in range(7):
         y1, xi1, xi2 = V[0, j], V[2, j], V[3, j]
@@ -128,16 +117,29 @@ def linearised(tau, Y, V, p, pitch_bounds, f, parameters, dV):
     return constrained_rhs(Y, motion, parameters)
 
 
-def ahead(Y, h, d):
-    """The states Y (6,) a time h later, at rates d."""
-    return Y[0] + h * d[0], Y[1] + h * d[1], Y[2] + h * d[2], Y[3] + h * d[3], Y[4] + h * d[4], Y[5] + h * d[5]
-
-
-def moved(V, h, dV, W):
+def varied(V, h, dV, W):
     """Fills in W = V + h dV, all (6, 7)."""
     for i in range(6):
         for j in range(7):
             W[i, j] = V[i, j] + h * dV[i, j]
+
+
+@cache
+def interpolation_kernel() -> Callable:
+    """Compiled: cubic Hermite interpolation (6, K) at times t (K,) of Y (6, N + 1) and dY, given every h."""
+
+    def interpolate(Y, dY, h, t):
+        values = np.empty((len(Y), len(t)))
+        for k in range(len(t)):
+            n = min(max(int(t[k] / h), 0), Y.shape[1] - 2)
+            s = t[k] / h - n
+            for i in range(len(Y)):
+                rise, start, end = Y[i, n + 1] - Y[i, n], h * dY[i, n], h * dY[i, n + 1]
+                bend = 3.0 * rise - 2.0 * start - end + s * (start + end - 2.0 * rise)
+                values[i, k] = Y[i, n] + s * (start + s * bend)
+        return values
+
+    return kept(interpolate, fast=True)
 
 
 class Shot(NamedTuple):
@@ -203,7 +205,7 @@ def improved(now: Shot, shoot: Callable[[np.ndarray, np.ndarray], Shot]) -> Shot
     change = np.zeros((6, len(now.missed) + 1))
     change[:, 1:] = (by_p @ dp + by_missed).T
     missed, share = (now.missed**2).sum(), 1.0
-    while share > LEAST_STEP:
+    while share >= LEAST_STEP:
         new = shoot(now.nodes + share * change, now.p + share * dp)
         if (new.missed**2).sum() <= (1.0 - 0.5 * share) * missed:
             return new
@@ -323,8 +325,4 @@ def refined(problem: ConstrainedProblem, found: Shot) -> Solution | None:
     if fine is None:
         return None
     t = np.linspace(0.0, problem.maneuver.duration, fine.Y.shape[1])
-
-    def interpolate(times: np.ndarray, derivative: int = 0) -> np.ndarray:
-        return CubicHermiteSpline(t, fine.Y, fine.dY, axis=1)(times, derivative)
-
-    return Solution(t, fine.Y, fine.p, interpolate)
+    return Solution(t, fine.Y, fine.p, partial(interpolation_kernel(), fine.Y, fine.dY, t[1]))

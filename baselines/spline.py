@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from baselines.boundary_value import RISE, sample_times
-from baselines.normal_form import feedforward, internal_dynamics, thrust_bounds
-from heli_gym.model import fan_thrusts, voltage
+from baselines.normal_form import thrust_bounds
+from heli_gym.model import voltage
 from heli_gym.trajectory import Maneuver, Trajectory
 
 SEGMENTS = (30, 60)  # of the splines: few are faster and smoother, and for the shortest times there must be more
@@ -50,10 +50,23 @@ def guess(maneuver: Maneuver, duration: float, segments: int) -> Spline:
     swing = -2.0 * math.pi * (maneuver.goal[0] - maneuver.start[0]) / duration**2 / (p.b1 / p.b2 * p.a2)
     elevation = maneuver.start[1] + (maneuver.goal[1] - maneuver.start[1]) * RISE(share)
     pitch = np.clip(swing * np.sin(2.0 * math.pi * share), SWING * low, SWING * high)
-    coefficients = np.stack((elevation, pitch), axis=1)
-    for end, (_, rest) in ((slice(0, REST), maneuver.start), (slice(-REST, None), maneuver.goal)):
-        coefficients[end] = rest, 0.0
-    return Spline(coefficients, duration, np.zeros(4))
+    return Spline(at_rest(np.stack((elevation, pitch), axis=1), maneuver), duration, np.zeros(4))
+
+
+def guess_from(maneuver: Maneuver, near: Trajectory, segments: int) -> Spline:
+    """The functions of a plan, about, between the points of the maneuver."""
+    share = np.arange(-2, segments + 3) / segments
+    x, _ = near(near.duration * share)
+    y = x[[2, 4]].T
+    coefficients = (8.0 * y[1:-1] - y[:-2] - y[2:]) / 6.0  # which reproduces cubic polynomials
+    return Spline(at_rest(coefficients, maneuver), maneuver.duration, np.zeros(4))
+
+
+def at_rest(coefficients: np.ndarray, maneuver: Maneuver) -> np.ndarray:
+    """The same (M, 2), but from start to goal."""
+    for end, (_, elevation) in ((slice(0, REST), maneuver.start), (slice(-REST, None), maneuver.goal)):
+        coefficients[end] = elevation, 0.0
+    return coefficients
 
 
 def refined(spline: Spline) -> Spline:
@@ -90,7 +103,7 @@ def optimise(maneuver, start, thrusts, duration, roughness, haste, barrier, last
         maneuver.goal[0] - maneuver.start[0],
         thrusts,
         maneuver.limits.pitch,
-        (p.a1, p.a2, p.a3, p.b1, p.b2, p.b3),
+        model_of(maneuver),
         rates,
         haste,
         barrier,
@@ -99,6 +112,12 @@ def optimise(maneuver, start, thrusts, duration, roughness, haste, barrier, last
         iterations,
     )
     return Spline(coefficients, s**-0.5 if haste else duration, multipliers) if converged else None
+
+
+def model_of(maneuver: Maneuver) -> tuple[float, ...]:
+    """The coefficients of (3)."""
+    p = maneuver.parameters
+    return p.a1, p.a2, p.a3, p.b1, p.b2, p.b3
 
 
 def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -> tuple[Spline, Trajectory] | None:
@@ -119,18 +138,18 @@ def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -
 
 def sampled(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Times (K,), states (6, K) and thrusts (2, K) of a spline."""
-    from baselines.spline_kernel import interpolate
+    from baselines.spline_kernel import interpolate, thrusts_along
 
-    p, T = maneuver.parameters, spline.duration
+    T = spline.duration
     t = sample_times(replace(maneuver, duration=T))
-    (y1, y2), (dy1, dy2), (ddy1, ddy2) = interpolate(spline.coefficients, T, len(t))
-    f = np.stack(fan_thrusts(feedforward(y1, y2, ddy1, ddy2, p)))
-    acceleration, h = internal_dynamics(y1, y2, ddy1, p), t[1]
+    y, (dy1, dy2), ddy = interpolate(spline.coefficients, T, len(t))
+    f, acceleration = thrusts_along(y, ddy, model_of(maneuver))
+    h = t[1]
     # linear in between, which at this period is exact to 1e-7
     deta, eta = np.zeros(len(t)), np.full(len(t), maneuver.start[0])
     np.cumsum(0.5 * h * (acceleration[:-1] + acceleration[1:]), out=deta[1:])
     eta[1:] += np.cumsum(h * deta[:-1] + h**2 / 6.0 * (2.0 * acceleration[:-1] + acceleration[1:]))
-    x = np.stack((eta, deta, y1, dy1, y2, dy2))
+    x = np.stack((eta, deta, y[0], dy1, y[1], dy2))
     for k, (travel, elevation) in ((0, maneuver.start), (-1, maneuver.goal)):
         x[:, k] = travel, 0.0, elevation, 0.0, 0.0, 0.0
     return t, x, f
@@ -140,6 +159,15 @@ def plan_smoothest(maneuver: Maneuver) -> Trajectory | None:
     """The smoothest plan in the maneuver's duration, straight from the guess, with as few segments as suffice."""
     for segments in SEGMENTS:
         found = planned(maneuver, smoothest, guess(maneuver, maneuver.duration, segments))
+        if found is not None:
+            return found[1]
+    return None
+
+
+def plan_near(maneuver: Maneuver, near: Trajectory) -> Trajectory | None:
+    """The smoothest plan in the maneuver's duration, from a plan of a similar maneuver."""
+    for segments in SEGMENTS:
+        found = planned(maneuver, smoothest, guess_from(maneuver, near, segments), WARM)
         if found is not None:
             return found[1]
     return None
@@ -178,7 +206,7 @@ def plan_lengthened(maneuver: Maneuver, start: Spline, check: Callable[[], None]
     share = 1.0
     while share > LEAST_STRETCH:
         check()
-        duration = start.duration * (maneuver.duration / start.duration) ** share
+        duration = start.duration ** (1.0 - share) * maneuver.duration**share
         found = planned(replace(maneuver, duration=duration), smoothest, start, LUKEWARM)
         if found is None:
             share *= 0.5

@@ -514,3 +514,12 @@ def interpolate(c, duration, count):
                 y2 += curvature[i] * c[j + i, o]
             y[0, o, k], y[1, o, k], y[2, o, k] = y0, rate * y1, rate**2 * y2
     return y
+
+
+@njit(cache=True)
+def thrusts_along(y, ddy, model):
+    """The thrusts (2, K) of both fans and the travel's second derivative (K,) along outputs and theirs, (2, K) each."""
+    f, ddeta = np.empty(y.shape), np.empty(y.shape[1])
+    for k in range(y.shape[1]):
+        f[0, k], f[1, k], ddeta[k] = inverse_dynamics(y[0, k], y[1, k], ddy[0, k], ddy[1, k], model)
+    return f, ddeta

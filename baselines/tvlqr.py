@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.linalg import expm, solve_continuous_are
+from scipy.linalg import expm, schur, solve_continuous_are
 
 from baselines.riccati import integrate, jacobians_along
 from heli_gym.model import hover_input, linearise, thrust, virtual_input
@@ -40,8 +40,15 @@ class Gains:
 
 def stationary_cost(elevation: float, parameters: HelicopterParameters, Q: np.ndarray, R: np.ndarray) -> np.ndarray:
     """P (6, 6) of the stationary regulator at hover at an elevation in rad, by the algebraic Riccati equation."""
-    A, B = linearise([0.0, 0.0, elevation, 0.0, 0.0, 0.0], hover_input(elevation, parameters), parameters)
-    return solve_continuous_are(A, B, Q, R)
+    hover = np.array([[0.0], [0.0], [elevation], [0.0], [0.0], [0.0]])
+    J, *_ = jacobians_along(hover, hover_input([elevation], parameters), parameters)
+    A, B = J[:, :, :6], J[:, :, 6:]
+    # what decays under the optimal control is an invariant subspace of the Hamiltonian system (Laub, 1979)
+    _, Z, decaying = schur(hamiltonian((A, B), Q, R)[0], sort="lhp")
+    if decaying != 6:
+        return solve_continuous_are(A[0], B[0], Q, R)  # which says what is wrong, if anything is
+    P = np.linalg.solve(Z[:6, :6].T, Z[6:, :6].T)
+    return 0.5 * (P + P.T)
 
 
 def stationary_gain(
@@ -96,11 +103,11 @@ def riccati_gains(
     x, u = reference(t)
     J, rows, columns = jacobians_along(x, np.stack(virtual_input(thrust(u, parameters))), parameters)
     with np.errstate(all="ignore"):  # where the weights make (50) stiff, these steps diverge
-        P, error = integrate(J, rows, columns, Q, R, M, t[2])
+        P, K, error = integrate(J, rows, columns, Q, R, M, t[2])
     if not error < STIFF:
         P = integrate_stiff(reference, parameters, Q, R, M, np.linspace(0.0, t[-1], 2 * len(t) - 1))[::2]
-    K = np.linalg.inv(R) @ J[:, :, 6:].transpose(0, 2, 1) @ P
-    return Gains(t, np.moveaxis(K, 0, -1), np.moveaxis(P, 0, -1))
+        K = np.moveaxis(np.linalg.inv(R) @ J[:, :, 6:].transpose(0, 2, 1) @ P, 0, -1)
+    return Gains(t, K, np.moveaxis(P, 0, -1))
 
 
 def integrate_stiff(reference, parameters, Q, R, M, t) -> np.ndarray:

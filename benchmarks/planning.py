@@ -54,7 +54,7 @@ def median(function: Callable[[], Any], args: Args) -> float:
 def collocated(problem: ConstrainedProblem, guess: Solution, analytic: bool) -> Any:
     """Equation (38) by scipy's relative of the paper's bvp4c."""
     start, goal = problem.ends()
-    jacobians = {}
+    jacobians: dict[str, Any] = {}
     if analytic:
         jacobians["fun_jac"] = problem.rhs_jacobian
         jacobians["bc_jac"] = lambda Ya, Yb, p: (np.eye(12, 6), np.eye(12, 6, k=-6), np.zeros((12, 6)))
@@ -108,10 +108,9 @@ def planning(args: Args) -> dict[str, float]:
     maneuver = Maneuver()
     problem, thrusts = ConstrainedProblem(maneuver), thrust_bounds(maneuver.limits, maneuver.parameters)
     start = spline.guess(maneuver, maneuver.duration, spline.SEGMENTS[0])
-    solution = spline.smoothest(maneuver, start, thrusts)
-    assert solution is not None
-    nearby = replace(maneuver, duration=10.1)
-    longer = plan(nearby, "paper")
+    near = plan(replace(maneuver, duration=10.1), "paper")
+    near_spline = plan(replace(maneuver, duration=10.1), "spline")
+    close = spline.guess_from(maneuver, near_spline, spline.SEGMENTS[0])
 
     def paper_guess() -> Solution:
         unconstrained = solve_unconstrained(maneuver)
@@ -119,6 +118,11 @@ def planning(args: Args) -> dict[str, float]:
         return problem.guess(unconstrained.stretched(maneuver.duration))
 
     guess = paper_guess()
+
+    def shooting_guess() -> Solution:
+        unconstrained = unconstrained_guess(maneuver)
+        assert unconstrained is not None
+        return problem.guess(unconstrained)
 
     shoot = shooter(problem, 400)
 
@@ -128,11 +132,17 @@ def planning(args: Args) -> dict[str, float]:
     return {
         "plan(method='spline'), sampled and checked": median(lambda: plan(maneuver, "spline"), args),
         "  of which the interior-point method": median(lambda: spline.smoothest(maneuver, start, thrusts), args),
-        "  from the plan in 10.1 s": median(lambda: spline.smoothest(nearby, solution, thrusts, spline.WARM), args),
+        "  of which the same from the plan in 10.1 s": median(
+            lambda: spline.smoothest(maneuver, close, thrusts, spline.WARM), args
+        ),
+        "plan(method='spline', near=the plan in 10.1 s)": median(
+            lambda: plan(maneuver, "spline", near=near_spline), args
+        ),
         "plan(method='paper'), sampled and checked": median(lambda: plan(maneuver, "paper"), args),
         "  of which (38) from the paper's initial guess": median(lambda: solve_by_shooting(maneuver), args),
-        "  of which that guess": median(lambda: problem.guess(unconstrained_guess(maneuver)), args),
-        "  from the plan in 10.1 s": median(lambda: solve_near(maneuver, longer), args),
+        "  of which that guess": median(shooting_guess, args),
+        "  of which (38) from the plan in 10.1 s": median(lambda: solve_near(maneuver, near), args),
+        "plan(method='paper', near=the plan in 10.1 s)": median(lambda: plan(maneuver, "paper", near=near), args),
         "(38), solve_bvp, analytic Jacobians": median(lambda: collocated(problem, guess, True), args),
         "(38), solve_bvp, without Jacobians": median(lambda: collocated(problem, guess, False), args),
         "(38), compiled RK4, 400 steps, and fsolve": median(lambda: fsolve(end, np.zeros(6), xtol=1e-7), args),

@@ -4,7 +4,7 @@ from collections.abc import Callable, Collection, Mapping
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
-from types import FunctionType
+from types import FunctionType, MappingProxyType
 from typing import Any
 
 import numba
@@ -23,16 +23,18 @@ class Compiler:
         loops: functions that are compiled on their own, so that their loops become SIMD before they meet others; all
             others are inlined.
         careful: functions that must not assume that nothing is NaN.
+        fast: the liberties that all others take, by LLVM's names.
     """
 
     def __init__(
         self,
-        dtype: type,
-        names: Mapping[str, Callable],
-        loops: Collection[Callable],
-        careful: Collection[Callable],
+        dtype: type = float,
+        names: Mapping[str, Callable] = MappingProxyType({}),
+        loops: Collection[Callable] = (),
+        careful: Collection[Callable] = (),
+        fast: Collection[str] = FAST,
     ) -> None:
-        self.dtype, self.names, self.loops, self.careful = dtype, names, loops, careful
+        self.dtype, self.names, self.loops, self.careful, self.fast = dtype, names, loops, careful, set(fast)
         self.known: dict[Callable, Callable] = {}
 
     def entry(self, function: Any, version: str, signature: Any = None) -> Callable:
@@ -50,14 +52,14 @@ class Compiler:
         code = code.replace(co_freevars=("version",), co_consts=self.of_dtype(code.co_consts))
         copy = FunctionType(code, self.meanings(function), function.__name__, function.__defaults__, key.__closure__)
         copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
-        return numba.njit(signature, cache=True, error_model="numpy", fastmath=FAST)(copy)
+        return numba.njit(signature, cache=True, error_model="numpy", fastmath=self.fast)(copy)
 
     def part(self, function: Any) -> Callable:
         """A function that compiled functions call."""
         if function not in self.known:
             code = function.__code__.replace(co_consts=self.of_dtype(function.__code__.co_consts))
             copy = FunctionType(code, self.meanings(function), function.__name__, function.__defaults__)
-            fast = set() if function in self.careful else FAST
+            fast = set() if function in self.careful else self.fast
             self.known[function] = numba.njit(
                 copy, forceinline=function not in self.loops, error_model="numpy", fastmath=fast
             )

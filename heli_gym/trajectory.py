@@ -117,13 +117,13 @@ class Trajectory:
         k = np.clip(np.searchsorted(self.t, times, side="right") - 1, 0, len(self.t) - 2)
         h = self.t[k + 1] - self.t[k]
         s = (times - self.t[k]) / h
-        q, dq = self.x[0::2], self.x[1::2]
-        rise, start, end = q[:, k + 1] - q[:, k], h * dq[:, k], h * dq[:, k + 1]
+        last, new = self.x.take(k, axis=1), self.x.take(k + 1, axis=1)  # quicker than by an index
+        rise, start, end = new[0::2] - last[0::2], h * last[1::2], h * new[1::2]
         a, b = 3.0 * rise - 2.0 * start - end, start + end - 2.0 * rise
         x = np.empty((6, *times.shape))
-        x[0::2] = q[:, k] + s * (start + s * (a + s * b))
+        x[0::2] = last[0::2] + s * (start + s * (a + s * b))
         x[1::2] = (start + s * (2.0 * a + 3.0 * s * b)) / h
-        u = (1.0 - s) * self.u[:, k] + s * self.u[:, k + 1]
+        u = (1.0 - s) * self.u.take(k, axis=1) + s * self.u.take(k + 1, axis=1)
         return x, u
 
     def save(self, path: str | os.PathLike) -> None:

@@ -22,7 +22,7 @@ from baselines.boundary_value import (
     setup_functions,
     solve_unconstrained,
 )
-from baselines.planner import solve_from_unconstrained
+from baselines.paper_method import solve_from_unconstrained
 from heli_gym import HelicopterParameters, Limits, Maneuver, Trajectory, dynamics, linearise, thrust, voltage
 from heli_gym.model import STATE_NAMES, fan_thrusts, hover_input, virtual_input
 

@@ -13,7 +13,7 @@ from independent import TABLE_I, central_differences, equation_2, replay, shorte
 from numpy.testing import assert_allclose
 from scipy.optimize import root
 
-from baselines import InfeasibleManeuver, plan, plan_fastest, plan_unconstrained, planner
+from baselines import InfeasibleManeuver, plan, plan_fastest, plan_unconstrained, search
 from baselines.boundary_value import FINE, ConstrainedProblem, solve_unconstrained
 from baselines.planner import FASTEST, METHODS
 from heli_gym import HelicopterParameters, Limits, Maneuver
@@ -132,6 +132,49 @@ def test_the_same_maneuver_gives_the_same_plan(method):
 def test_unless_asked_otherwise_the_papers_maneuver_is_planned_as_in_the_paper(paper_plan):
     papers = plan(Maneuver(), "paper")
     np.testing.assert_array_equal(paper_plan.u, papers.u)
+
+
+# From a plan near by
+
+
+@pytest.mark.parametrize("method", ["auto", "paper", "spline"])
+@pytest.mark.parametrize("like", [replace(Maneuver(), duration=10.1), maneuver((10, 2), (368, -1), 10.2)], ids=str)
+@pytest.mark.parametrize("its_method", ["paper", "spline"])
+def test_a_plan_from_one_near_by_is_the_one_from_scratch(method, like, its_method):
+    near = plan(like, its_method)
+    found, expected = plan(Maneuver(), method, near=near), plan(Maneuver(), method)
+    assert_allclose(found.x, expected.x, atol=5e-3)
+    assert found.limits == expected.limits
+
+
+@pytest.mark.parametrize("method", ["auto", "paper", "spline"])
+def test_a_plan_near_by_spares_the_search(method, monkeypatch):
+    near = plan(Maneuver(duration=10.1), method)
+    monkeypatch.setitem(METHODS, method, None)
+    assert plan(Maneuver(), method, near=near).duration == 10.0
+
+
+@pytest.mark.parametrize("method", ["auto", "paper", "spline"])
+@pytest.mark.parametrize("like", ["stay", "two turns back", "little pitch"])
+def test_a_plan_far_away_does_no_harm(method, like):
+    asked = MANEUVERS["the paper's"]
+    found = plan(asked, method, near=plan(MANEUVERS[like]))
+    flown = replay(found)
+    assert_allclose(flown[:, -1], [2.0 * math.pi, 0.0, 0.0, 0.0, 0.0, 0.0], rtol=0.0, atol=1e-3)
+
+
+def test_what_cannot_be_planned_cannot_from_one_near_by_either(paper_plan):
+    with pytest.raises(InfeasibleManeuver, match="the shortest found takes"):
+        plan(Maneuver(duration=8.0), near=paper_plan)
+
+
+@pytest.mark.parametrize(
+    ("method", "near", "said"),
+    [("flat", None, "method = 'flat'.*paper, spline"), ("collocation", None, "auto"), ("paper", Maneuver(), "near = ")],
+)
+def test_a_start_that_is_none_is_named(method, near, said, paper_plan):
+    with pytest.raises(ValueError, match=said):
+        plan(Maneuver(), method, near=near or paper_plan)
 
 
 # Section III-B
@@ -257,7 +300,7 @@ def test_what_is_in_the_way_would_save_as_much_as_is_said():
 @pytest.mark.parametrize("method", METHODS)
 def test_a_time_limit_ends_the_search(method, monkeypatch):
     clock = itertools.count()  # one second for every look at it
-    monkeypatch.setattr(planner.time, "perf_counter", lambda: float(next(clock)))
+    monkeypatch.setattr(search.time, "perf_counter", lambda: float(next(clock)))
     with pytest.raises(InfeasibleManeuver, match="within the time limit of 2 s") as refusal:
         plan(Maneuver(duration=7.0), method, time_limit=2.0)
     assert refusal.value.shortest_duration is None
@@ -295,6 +338,12 @@ def test_the_papers_maneuver_takes_no_more_than_three_and_a_half_percent_more_th
     fastest = plan_fastest(Maneuver())
     assert fastest.duration <= 8.5
     assert 1.0 <= fastest.duration / shortest_time(Maneuver(), paper_plan, intervals=100) < 1.035
+
+
+def test_a_fastest_plan_that_is_on_its_pitch_limit_for_long_keeps_it_when_flown():
+    travel, start, goal, pitch = np.radians([-50.8018, 8.75858, 7.00393, 18.1729])
+    limits = Limits(2.12767, 11.2298, -pitch, pitch)
+    assert plan_fastest(Maneuver((0.0, start), (travel, goal), 25.0, limits)).duration < 5.0
 
 
 @pytest.mark.parametrize("name", ["descend and turn", "little pitch to one side", "little pitch", "fans may reverse"])

@@ -1,5 +1,7 @@
 """Shooting finds what collocation finds."""
 
+import math
+
 import numpy as np
 import pytest
 from independent import central_differences
@@ -7,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from baselines import plan
 from baselines.boundary_value import FINE, ConstrainedProblem, solve_unconstrained
-from baselines.planner import solve_from_unconstrained
+from baselines.paper_method import solve_from_unconstrained
 from baselines.shooting import guess_from, shooter, solve_by_shooting, solve_near, unconstrained_guess
 from heli_gym import Maneuver
 
@@ -36,14 +38,14 @@ def test_there_is_no_unconstrained_guess_beyond_90_degrees():
 
 
 def test_the_sensitivities_agree_with_differences():
-    problem, p = ConstrainedProblem(TURN), np.array([1.0, -0.5, 100.0, -300.0, 350.0, -140.0])
+    problem, p = ConstrainedProblem(TURN), np.array([1.0, -0.5, 110.0, -310.0, 345.0, -138.0])
     shoot, nodes = shooter(problem, 100), np.zeros((6, 2))
     expected = central_differences(lambda p: shoot(nodes, p).missed[0], p, 1e-7)
     assert_allclose(shoot(nodes, p).sensitivity[0, :, :6], expected, rtol=1e-4, atol=1e-5)
 
 
 def test_segments_that_meet_are_one_flight():
-    problem, p = ConstrainedProblem(TURN), np.array([1.0, -0.5, 100.0, -300.0, 350.0, -140.0])
+    problem, p = ConstrainedProblem(TURN), np.array([1.0, -0.5, 110.0, -310.0, 345.0, -138.0])
     one = shooter(problem, 100)(np.zeros((6, 2)), p)
     many = shooter(problem, 20)(one.Y[:, ::20], p)
     assert_allclose(many.missed[:-1], 0.0, atol=1e-12)
@@ -68,16 +70,22 @@ def test_a_shot_solves_38():
     start, goal = problem.ends()
     assert_allclose(found.Y[:, 0], start, atol=1e-12)
     assert_allclose(found.Y[:, -1], goal, atol=1e-5)
-    rates = problem.rhs(found.t, found.Y, found.p)
-    assert_allclose(found.interpolate(found.t, 1), rates, atol=1e-8)
+    t, h = found.t[1:-1], 1e-6
+    rates = (found.interpolate(t + h) - found.interpolate(t - h)) / (2.0 * h)
+    assert_allclose(rates, problem.rhs(t, found.interpolate(t), found.p), atol=1e-4)
 
 
-@pytest.mark.parametrize("method", ["paper", "spline"])
 @pytest.mark.parametrize("like", [Maneuver(duration=10.1), Maneuver(goal=(6.2, 0.02))], ids=str)
-def test_a_plan_close_by_leads_to_the_solution_of_38(method, like):
+def test_a_plan_close_by_leads_to_the_solution_of_38(like):
     t = np.linspace(0.0, 10.0, 200)
-    found, expected = solve_near(Maneuver(), plan(like, method)), solve_by_shooting(Maneuver())
-    assert_allclose(found.interpolate(t), expected.interpolate(t), atol=1e-5)
+    found, expected = solve_near(Maneuver(), plan(like, "paper")), solve_by_shooting(Maneuver())
+    assert_allclose(found.interpolate(t), expected.interpolate(t), atol=1e-4)
+
+
+@pytest.mark.parametrize("duration", [10.1, 10.3, 10.5, 11.0, 14.0])
+def test_a_rotation_with_time_to_spare_leaves_the_elevation_nearly_alone(duration):
+    # other solutions, by up to 20°, lead to the same goal
+    assert np.abs(solve_by_shooting(Maneuver(duration=duration)).Y[0]).max() < math.radians(3.0)
 
 
 def test_a_plan_that_solves_38_already_tells_its_parameters():
