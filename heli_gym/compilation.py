@@ -1,10 +1,8 @@
 """How the equations are compiled: as they stand, for one kind of number, and kept on disk while they stay the same."""
 
 from collections.abc import Callable, Collection, Mapping
-from functools import cache
 from hashlib import sha256
-from pathlib import Path
-from types import FunctionType, MappingProxyType
+from types import CodeType, FunctionType, MappingProxyType
 from typing import Any
 
 import numba
@@ -37,12 +35,13 @@ class Compiler:
         self.dtype, self.names, self.loops, self.careful, self.fast = dtype, names, loops, careful, set(fast)
         self.known: dict[Callable, Callable] = {}
 
-    def entry(self, function: Any, version: str, signature: Any = None) -> Callable:
+    def entry(self, function: Any, signature: Any = None) -> Callable:
         """A function that Python calls, kept on disk; with a signature, other arguments are a TypeError.
 
-        The version has to tell apart what may be compiled under this name: numba itself looks only at the function and
-        its file, and at the values in its closure, which the version is put into.
+        Numba keeps what it compiles for a function and its file, and for the values in its closure. So what describes
+        all that is called is put into that.
         """
+        version = self.version(function)
 
         def key() -> str:
             return version
@@ -53,6 +52,25 @@ class Compiler:
         copy = FunctionType(code, self.meanings(function), function.__name__, function.__defaults__, key.__closure__)
         copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
         return numba.njit(signature, cache=True, error_model="numpy", fastmath=self.fast)(copy)
+
+    def version(self, function: Any) -> str:
+        """A digest of what is compiled: a function, all that it calls, the numbers that these use, and how."""
+        found: dict[Any, tuple] = {}
+        waiting = [function]
+        while waiting:
+            one = waiting.pop()
+            if one not in found:
+                used = self.used(one)
+                calls = {name: value for name, value in used.items() if isinstance(value, FunctionType)}
+                numbers = {name: value for name, value in used.items() if isinstance(value, int | float | tuple)}
+                fields = {name: value._fields for name, value in used.items() if hasattr(value, "_fields")}
+                names = {name: value.__qualname__ for name, value in calls.items()}
+                how = one in self.loops, one in self.careful
+                found[one] = (one.__qualname__, *contents(one.__code__), names, numbers, fields, how)
+                waiting += calls.values()
+        parts = sorted(map(repr, found.values()))
+        whole = (numba.__version__, np.__version__, self.dtype.__name__, sorted(self.fast), parts)
+        return sha256(repr(whole).encode()).hexdigest()
 
     def part(self, function: Any) -> Callable:
         """A function that compiled functions call."""
@@ -67,10 +85,14 @@ class Compiler:
 
     def meanings(self, function: Any) -> dict[str, Any]:
         """The globals of a function: what it calls compiled, its numbers of the dtype."""
-        used = {**function.__globals__, **self.names}
-        used = {name: value for name, value in used.items() if name in function.__code__.co_names}
+        used = self.used(function)
         changed = {k: self.part(v) if isinstance(v, FunctionType) else self.of_dtype(v) for k, v in used.items()}
         return {**function.__globals__, **changed}
+
+    def used(self, function: Any) -> dict[str, Any]:
+        """The globals that a function uses, sorted by name."""
+        known = {**function.__globals__, **self.names}
+        return {name: known[name] for name in sorted(function.__code__.co_names) if name in known}
 
     def of_dtype(self, constant: Any) -> Any:
         """A number, or a tuple of numbers, of the dtype; anything else as it is."""
@@ -79,20 +101,7 @@ class Compiler:
         return self.dtype(constant) if type(constant) is float else constant
 
 
-@cache
-def source_version() -> str:
-    """A digest of all files that equations and loops are compiled from, and of the libraries that compile them."""
-    digest = sha256(f"{numba.__version__} {np.__version__}".encode())
-    for name in (
-        "compilation",
-        "elementary",
-        "kernels",
-        "model",
-        "parameters",
-        "plant",
-        "rigid_body",
-        "simulation",
-        "task",
-    ):
-        digest.update(Path(__file__).with_name(f"{name}.py").read_bytes())
-    return digest.hexdigest()
+def contents(code: CodeType) -> tuple:
+    """What a code object says, wherever it is in memory."""
+    constants = [contents(value) if isinstance(value, CodeType) else repr(value) for value in code.co_consts]
+    return code.co_code, constants, code.co_names

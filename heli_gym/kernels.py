@@ -17,7 +17,7 @@ from numba import types
 from numpy import cos, float64, floor, sin
 
 from heli_gym import elementary
-from heli_gym.compilation import Compiler, source_version
+from heli_gym.compilation import Compiler
 from heli_gym.elementary import standard_normal
 from heli_gym.model import dynamics, moved, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
@@ -582,13 +582,8 @@ def kernels(dtype: type, rhs: Callable, fly: Callable) -> Kernels:
 
     Compiled at the first call of each function, and then kept on disk.
     """
-    version = f"{source_version()} {dtype.__name__}"
     start_up, compiler = compiler_of(dtype, equation_3, fly_plain), compiler_of(dtype, rhs, fly)
-    return Kernels(
-        start_up.entry(begin, version),
-        start_up.entry(tell, version),
-        compiler.entry(step, f"{version} {rhs.__name__} {fly.__name__}"),
-    )
+    return Kernels(start_up.entry(begin), start_up.entry(tell), compiler.entry(step))
 
 
 @cache
@@ -597,8 +592,7 @@ def one_step(rhs: Callable, fly: Callable) -> Callable:
     numbers = types.float64[::1]
     arguments = numbers, types.float64, types.float64, types.float32[::1], numbers
     returns = types.Tuple((*[types.float64] * 3, types.int64))
-    version = f"{source_version()} {rhs.__name__} {fly.__name__}"
-    return compiler_of(float64, rhs, fly).entry(step_one, version, returns(*arguments))
+    return compiler_of(float64, rhs, fly).entry(step_one, returns(*arguments))
 
 
 @cache

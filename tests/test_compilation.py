@@ -7,13 +7,16 @@ import types
 import numpy as np
 import pytest
 
-from baselines.compilation import code_of, compiled
+from baselines.compilation import compiler
 from baselines.normal_form import internal_dynamics
 from heli_gym import HelicopterParameters
+from heli_gym.compilation import Compiler
+
+SCALE = 1.0
 
 
 def outer(x):
-    return inner(x) + 1.0
+    return inner(x) + SCALE
 
 
 def inner(x):
@@ -22,20 +25,28 @@ def inner(x):
 
 def test_what_is_compiled_gives_what_python_gives():
     arguments = 0.3, 0.5, -0.2, HelicopterParameters()
-    assert compiled(internal_dynamics)(*arguments) == pytest.approx(internal_dynamics(*arguments), rel=1e-14)
+    assert compiler().part(internal_dynamics)(*arguments) == pytest.approx(internal_dynamics(*arguments), rel=1e-14)
 
 
 def test_calls_are_compiled_along():
-    assert compiled(outer)(3.0) == outer(3.0)
+    assert compiler().part(outer)(3.0) == outer(3.0)
 
 
-def test_another_equation_is_another_code_even_where_only_a_call_differs():
+def test_another_equation_is_another_version_even_where_only_a_call_or_a_number_differs():
     def other(x):
         return 3.0 * x
 
-    changed = types.FunctionType(outer.__code__, {"inner": other})
-    assert code_of(outer) == code_of(outer)
-    assert code_of(changed) != code_of(outer)
+    assert Compiler().version(outer) == Compiler().version(outer)
+    versions = [
+        Compiler().version(outer),
+        Compiler().version(types.FunctionType(outer.__code__, {**globals(), "inner": other})),
+        Compiler().version(types.FunctionType(outer.__code__, {**globals(), "SCALE": 2.5})),
+        Compiler(np.float32).version(outer),
+        Compiler(names={"SCALE": 3.0}).version(outer),
+        Compiler(loops=(inner,)).version(outer),
+        Compiler(fast=()).version(outer),
+    ]
+    assert len(set(versions)) == len(versions)
 
 
 def test_the_next_process_loads_what_this_one_compiled():

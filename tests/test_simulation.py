@@ -2,14 +2,13 @@ import os
 import pickle
 import subprocess
 import sys
-from itertools import count
 
 import numpy as np
 import pytest
 from independent import hover
 from numpy.testing import assert_allclose, assert_array_equal
 
-from heli_gym import compilation, kernels
+from heli_gym import kernels
 from heli_gym.elementary import cosine, sine, standard_normal
 from heli_gym.env import find_reference
 from heli_gym.kernels import ASKED, LAG, LANES, REWARD, STEP, TIME, TRUNCATED, X
@@ -199,19 +198,6 @@ def test_the_normal_numbers_are_normal_and_independent():
 
 
 # The cache
-
-
-def test_another_version_of_any_source_file_is_another_key(monkeypatch, tmp_path):
-    directory = compilation.Path(compilation.__file__).parent
-    for path in directory.glob("*.py"):
-        (tmp_path / path.name).write_bytes(path.read_bytes())
-    monkeypatch.setattr(compilation, "__file__", str(tmp_path / "compilation.py"))
-    versions = {compilation.source_version.__wrapped__()}
-    for name, k in zip(("model", "task", "plant", "rigid_body", "kernels", "elementary", "parameters"), count(2)):
-        with open(tmp_path / f"{name}.py", "a") as file:
-            file.write("# changed\n")
-        versions.add(compilation.source_version.__wrapped__())
-        assert len(versions) == k
 
 
 def test_kernels_are_kept_on_disk_and_importing_compiles_nothing(tmp_path):
