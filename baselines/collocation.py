@@ -38,7 +38,7 @@ def import_casadi() -> Any:
     try:
         import casadi
     except ImportError as error:
-        raise ImportError("direct collocation needs CasADi: pip install 'heli-gym[ocp]'") from error
+        raise ImportError("optimal control needs CasADi: pip install 'heli-gym[ocp]'") from error
     return casadi
 
 

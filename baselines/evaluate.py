@@ -27,6 +27,7 @@ from baselines.tvlqr import riccati_gains
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
+from heli_gym.task import TOLERANCE
 from heli_gym.trajectory import Maneuver, Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
@@ -50,9 +51,13 @@ COLUMNS = (
     "success\n(%)",
     "wall time\n(s)",
 )
+TOLERANCES = " / ".join(f"{degrees:.3g}" for degrees in np.degrees(TOLERANCE))
 CAPTION = (
-    "means; ± half the 95 % bootstrap interval; RMS errors over the time flown; cost: excess over the "
-    "planned limits, in their widths times s; return: seconds flown on the reference"
+    "means; ± half the 95 % bootstrap interval; RMS errors over the time flown; at the end: the largest of the three; "
+    "saturated: time with a voltage at a limit of the amplifier; cost: excess over the planned limits, in their widths "
+    "times s; return: seconds flown on the reference; success: flown to the end of the maneuver, every error within "
+    f"its tolerance there ({TOLERANCES} degrees and degrees/s, in the order of the state: "
+    "travel, elevation and pitch, each with its rate)"
 )
 
 
@@ -105,13 +110,15 @@ def evaluate(args: Args, console: Console) -> list[Flight]:
         control_period=args.control_period,
         start_spread_deg=args.start_spread_deg,
     )
+    # All that can be refused is made before the first flight.
+    policies = {name: make_policy(name, reference, args.control_period) for name in args.policies}
     # what was learned flies at its own control period only
     jobs = [] if exact.plant.is_random else [("exact", name) for name in args.policies if not is_learned(name)]
     jobs += [("perturbed", name) for name in args.policies]
     flights = []
     for start, name in track(jobs, "flying", console=console):
         env = exact if start == "exact" else perturbed
-        policy = make_policy(name, reference, env.control_period)
+        policy = make_policy(name, reference, PAPER_PERIOD) if env is exact else policies[name]
         began = time.perf_counter()
         group = [fly(exact, policy, seed=args.seed)] if env is exact else fly_many(perturbed, policy, args.seed)
         wall_time = (time.perf_counter() - began) / len(group)
@@ -153,12 +160,20 @@ def with_interval(values: np.ndarray) -> dict[str, Any]:
     return {"mean": mean.tolist(), "interval": [interval.low.tolist(), interval.high.tolist()]}
 
 
-def table_title(args: Args) -> str:
-    """What the table is about."""
-    return (
-        f"{args.reference} on the plant {args.plant}: exact start at {PAPER_PERIOD * 1e3:g} ms; "
-        f"perturbed: {args.episodes} starts up to {args.start_spread_deg:g}° off at {args.control_period * 1e3:g} ms"
-    )
+def subject(args: Args) -> str:
+    """What is flown."""
+    return f"{Path(args.reference).name} on the plant {args.plant}"
+
+
+def table_title(args: Args, rows: Iterable[dict[str, Any]]) -> str:
+    """What the table with these rows is about."""
+    off, period = f"{args.start_spread_deg:g}°", f"{args.control_period * 1e3:g} ms"
+    starts = {
+        "exact": f"exact start at {PAPER_PERIOD * 1e3:g} ms",
+        "perturbed": f"perturbed: {args.episodes} starts up to {off} off at {period}",
+    }
+    shown = dict.fromkeys(row["start"] for row in rows)
+    return f"{subject(args)}: {'; '.join(starts[start] for start in shown)}"
 
 
 def table_cells(row: dict[str, Any]) -> list[str]:
@@ -183,9 +198,9 @@ def table_cells(row: dict[str, Any]) -> list[str]:
     ]
 
 
-def results_table(rows: Iterable[dict[str, Any]], args: Args) -> Table:
+def results_table(rows: Sequence[dict[str, Any]], args: Args) -> Table:
     """What is printed."""
-    table = Table(title=table_title(args), caption=CAPTION)
+    table = Table(title=table_title(args, rows), caption=CAPTION)
     for name in COLUMNS:
         table.add_column(name, justify="left" if name in ("start", "policy") else "right")
     previous = None
@@ -232,14 +247,15 @@ def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: 
 
 
 def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory, console: Console) -> None:
-    """Every figure of the paper but its photographs and schematics; Figs. 10 and 11 as flown on the plant."""
+    """Every figure of the paper but its photographs and schematics; Figs. 10 and 11 of what is flown."""
     maneuver = Maneuver()
     parameters, limits = maneuver.parameters, maneuver.limits
-    env = Heli3DOFEnv(args.plant, constrained, PAPER_PERIOD)
-    start = constrained.x[:, 0].copy()
+    env = Heli3DOFEnv(args.plant, args.reference, PAPER_PERIOD)
+    reference, title = env.reference, f"{subject(args)} at {PAPER_PERIOD * 1e3:g} ms"
+    start = reference.x[:, 0].copy()
     start[[0, 2]] += np.radians(FIGURE_START_DEG)
     flights = {
-        name: fly(env, make_policy(name, constrained, PAPER_PERIOD), seed=args.seed, options={"state": start})
+        name: fly(env, make_policy(name, reference, PAPER_PERIOD), seed=args.seed, options={"state": start})
         for name in ("open-loop", "feedforward+tvlqr")
     }
     drawings = {
@@ -250,9 +266,9 @@ def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory,
         "fig07-ramp-saturation": figures.ramp_saturation(),
         "fig08-constrained": figures.feedforward(constrained, parameters, "Fig. 8: with constraints"),
         "fig09-gains": figures.gains(riccati_gains(constrained)),
-        "fig10-angles": figures.angles(constrained, flights),
-        "fig11-voltages": figures.voltages(constrained, flights),
-        "overview": figures.overview(constrained, {"feedforward+tvlqr": flights["feedforward+tvlqr"]}),
+        "fig10-angles": figures.angles(reference, flights, title),
+        "fig11-voltages": figures.voltages(reference, flights, title),
+        "overview": figures.overview(reference, {"feedforward+tvlqr": flights["feedforward+tvlqr"]}, title),
     }
     for name, figure in track(drawings.items(), "drawing", console=console):
         figures.save(figure, args.out / f"{name}.png")
@@ -293,9 +309,9 @@ def main(args: Args | None = None) -> None:
     if args.report is not None:
         write_report(
             args.report,
-            title=f"{args.reference} on the plant {args.plant}",
+            title=subject(args),
             table={
-                "title": table_title(args),
+                "title": table_title(args, rows),
                 "caption": CAPTION,
                 "columns": COLUMNS,
                 "rows": [*map(table_cells, rows)],

@@ -202,7 +202,7 @@ def gains(gains: Gains) -> Figure:
 
 
 @styled
-def angles(reference: Trajectory, flights: Mapping[str, Trajectory]) -> Figure:
+def angles(reference: Trajectory, flights: Mapping[str, Trajectory], title: str) -> Figure:
     """Fig. 10: nominal and flown angles, and beside them the tracking errors."""
     figure = Figure(figsize=(9.0, 6.4))
     for (left, right), quantity in zip(columns_of_panels(figure, 3, 2), (TRAVEL, ELEVATION, PITCH)):
@@ -211,26 +211,29 @@ def angles(reference: Trajectory, flights: Mapping[str, Trajectory]) -> Figure:
             right.plot(flight.t, tracking_error(quantity, reference, flight), color=colour, label=name)
         right.axhline(0.0, linestyle="--", **NOMINAL)
         right.set_ylabel(f"error of {quantity.name} ({quantity.unit})")
+    figure.suptitle(title, parse_math=False)  # names of files are in it
     finish(figure)
     return figure
 
 
 @styled
-def voltages(reference: Trajectory, flights: Mapping[str, Trajectory]) -> Figure:
+def voltages(reference: Trajectory, flights: Mapping[str, Trajectory], title: str) -> Figure:
     """Fig. 11: nominal and flown voltages."""
     figure = Figure(figsize=(7.2, 5.2))
     for axes, quantity in zip(columns_of_panels(figure, 2, 1)[:, 0], (FRONT, BACK)):
         draw(axes, quantity, reference, flights)
+    figure.suptitle(title, parse_math=False)  # names of files are in it
     finish(figure)
     return figure
 
 
 @styled
-def overview(reference: Trajectory, flights: Mapping[str, Trajectory]) -> Figure:
+def overview(reference: Trajectory, flights: Mapping[str, Trajectory], title: str) -> Figure:
     """Angles and voltages in one wide picture; without flights, those of the plan."""
     figure = Figure(figsize=(11.0, 5.2))
     for axes, quantity in zip(rows_of_panels(figure, 3, 2), (TRAVEL, ELEVATION, PITCH, FRONT, BACK)):
         draw(axes, quantity, reference, flights)
+    figure.suptitle(title, parse_math=False)  # names of files are in it
     finish(figure)
     return figure
 

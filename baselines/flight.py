@@ -5,30 +5,41 @@ from typing import Any
 import gymnasium as gym
 import numpy as np
 
-from baselines.policies import Policy
+from baselines.policies import ModelPolicy, Policy, TrackingPolicy
+from baselines.residual import ResidualPolicy
 from heli_gym.env import Heli3DOFEnv
-from heli_gym.task import control_steps, to_action
+from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
+# rad and rad/s, between references that count as the same: solvers on other machines, and files, round differently
+SAME_REFERENCE = 1e-3
+
 
 def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str, Any] | None = None) -> Trajectory:
-    """One episode: true states and applied voltages, u[:, k] being held from t[k] to t[k + 1].
+    """One episode: true states, and voltages as they were asked for within the amplifier's limits.
+
+    u[:, k] was asked for from t[k] to t[k + 1]; by a plant's delay and lag, its rotors turn at it later.
 
     Args:
-        env: a Heli3DOF environment, wrapped or not.
+        env: a Heli3DOF environment, wrapped or not, whose episodes start at the start of the reference.
         policy: gives voltages for times and measurements.
         seed: of the episode and of the policy's own randomness.
         options: for `env.reset`.
 
     Raises:
-        ValueError: if the environment is another, or the policy was made for another control period.
+        ValueError: if the environment is another or starts at random times, or if the policy was made for another
+            control period, amplifier or reference.
     """
     core = env.unwrapped
     if not isinstance(core, Heli3DOFEnv):
         raise ValueError(f"env = {env!r}: a Heli3DOF environment is needed")
-    check_period(policy, core.control_period)
+    if core.random_start:
+        raise ValueError(
+            f"env = {env!r}: a helicopter which starts at its reference's start, without random_start, is needed"
+        )
     _, info = env.reset(seed=seed, options=options)
+    check_policy(policy, core, core.reference)
     policy.reset(np.random.default_rng(seed))
     states, voltages = [info["state"]], []
     over = False
@@ -53,13 +64,13 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
 
     Raises:
         ValueError: if the helicopters follow different references or start at random times, or if the policy was made
-            for another control period.
+            for another control period, amplifier or reference.
     """
     reference = envs.references[0]
     same = all(other is reference for other in envs.references)
     if not (isinstance(reference, Trajectory) and same) or envs.random_start:
         raise ValueError("envs: helicopters with the same reference, which start at its start, are needed")
-    check_period(policy, envs.control_period)
+    check_policy(policy, envs, reference)
     _, info = envs.reset(seed=seed)
     policy.reset(np.random.default_rng(seed))
     steps = control_steps(reference.duration, envs.control_period)
@@ -78,8 +89,31 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
     ]
 
 
-def check_period(policy: Policy, control_period: float) -> None:
-    """Raises ValueError if the policy was made for another control period than this one in s."""
-    period = getattr(policy, "control_period", control_period)
-    if period != control_period:
-        raise ValueError(f"policy: made for a control period of {period:g} s, and env has {control_period:g} s")
+def check_policy(policy: Policy, env: Heli3DOFEnv | Heli3DOFVectorEnv, reference: Trajectory) -> None:
+    """Raises ValueError if the policy was made for another control period, amplifier or reference than these.
+
+    Of a policy that does not say what it was made for, nothing is known, and nothing is refused.
+    """
+    name = f"policy: this {type(policy).__name__} was made for"
+    period = getattr(policy, "control_period", env.control_period)
+    if period != env.control_period:
+        raise ValueError(f"{name} a control period of {period:g} s, and env has {env.control_period:g} s")
+    low, high = getattr(policy, "voltage_limits", env.voltage_limits)
+    if (low, high) != env.voltage_limits:
+        raise ValueError(
+            f"{name} an amplifier of {low:g} to {high:g} V, and env's gives "
+            f"{env.voltage_limits[0]:g} to {env.voltage_limits[1]:g} V"
+        )
+    if isinstance(policy, TrackingPolicy | ModelPolicy | ResidualPolicy):
+        x, _ = control_grid(reference, env.control_period)
+        last = policy.x.shape[1] - 1
+        if policy.x.shape != x.shape:
+            raise ValueError(
+                f"{name} a reference of {last * period:g} s, and env's takes {(x.shape[1] - 1) * period:g} s"
+            )
+        apart = np.abs(policy.x - x).max(axis=0)
+        if apart.max() > SAME_REFERENCE:
+            k = int(apart.argmax())
+            raise ValueError(
+                f"{name} another reference than env's: at {k * period:g} s they are {apart[k]:.3g} rad or rad/s apart"
+            )

@@ -3,7 +3,7 @@
 import sys
 import time
 from dataclasses import dataclass
-from math import radians
+from math import degrees, isfinite, radians
 from pathlib import Path
 from typing import Literal
 
@@ -18,19 +18,21 @@ from heli_gym.parameters import Limits
 from heli_gym.storage import check_folder
 from heli_gym.trajectory import Maneuver, Trajectory
 
+PAPERS = Maneuver()
+
 
 @dataclass
 class Args:
     """Plan a maneuver from rest to rest. The defaults are the paper's 360° rotation, (8) and (9)."""
 
-    travel_deg: float = 360.0  # travel at the goal
-    elevation_deg: float = 0.0  # elevation at the goal, positive downwards
-    duration: float = 10.0  # s
-    start_travel_deg: float = 0.0  # travel at the start
-    start_elevation_deg: float = 0.0  # elevation at the start
-    pitch_limit_deg: float = 50.0  # on both sides
-    u_min: float = 1.0  # V
-    u_max: float = 11.0  # V
+    travel_deg: float = degrees(PAPERS.goal[0])  # travel at the goal
+    elevation_deg: float = degrees(PAPERS.goal[1])  # elevation at the goal, positive downwards
+    duration: float = PAPERS.duration  # s
+    start_travel_deg: float = degrees(PAPERS.start[0])  # travel at the start
+    start_elevation_deg: float = degrees(PAPERS.start[1])  # elevation at the start
+    pitch_limit_deg: float = degrees(PAPERS.limits.pitch_max)  # on both sides
+    u_min: float = PAPERS.limits.u_min  # V
+    u_max: float = PAPERS.limits.u_max  # V
     method: Literal["auto", "paper", "spline", "flat", "collocation"] = "auto"  # the last needs the extra ocp
     fastest: bool = False  # whether to look for the shortest duration, up to the one given
     reserve: float = 0.0  # share of the windows of voltages and pitch that the fastest plan leaves to the feedback
@@ -39,8 +41,32 @@ class Args:
     figure: bool = True  # whether to draw the picture
 
 
+def asked(args: Args) -> Maneuver:
+    """The maneuver that the arguments ask for. Raises ValueError for those that make none, by their own names."""
+    for name in ("travel_deg", "elevation_deg", "start_travel_deg", "start_elevation_deg"):
+        if not isfinite(getattr(args, name)):
+            raise ValueError(f"{name} = {getattr(args, name)!r}: a finite number of degrees is needed")
+    if not 0.0 < args.pitch_limit_deg < 90.0:
+        raise ValueError(f"pitch_limit_deg = {args.pitch_limit_deg!r}: more than 0 and less than 90 degrees are needed")
+    pitch = radians(args.pitch_limit_deg)
+    limits = Limits(args.u_min, args.u_max, -pitch, pitch)
+    for name in ("start_elevation_deg", "elevation_deg"):
+        point = (0.0, radians(getattr(args, name)))
+        try:
+            Maneuver(point, point, limits=limits)
+        except ValueError as error:
+            _, _, reason = str(error).partition(": ")
+            raise ValueError(f"{name} = {getattr(args, name)!r}: {reason}") from error
+    return Maneuver(
+        start=(radians(args.start_travel_deg), radians(args.start_elevation_deg)),
+        goal=(radians(args.travel_deg), radians(args.elevation_deg)),
+        duration=args.duration,
+        limits=limits,
+    )
+
+
 def planned(maneuver: Maneuver, args: Args) -> Trajectory:
-    """The plan that the arguments ask for."""
+    """The plan of the maneuver, in its duration or as fast as possible."""
     if args.fastest:
         return plan_fastest(maneuver, args.method, args.reserve, args.time_limit)
     if args.reserve:
@@ -56,13 +82,10 @@ def main(args: Args | None = None) -> None:
     console = Console()
     began = time.perf_counter()
     try:
+        if args.out.suffix != ".npz" or args.out.is_dir():
+            raise ValueError(f"out = {str(args.out)!r}: the name of a file that ends in .npz is needed")
         check_folder("out", args.out.parent)
-        maneuver = Maneuver(
-            start=(radians(args.start_travel_deg), radians(args.start_elevation_deg)),
-            goal=(radians(args.travel_deg), radians(args.elevation_deg)),
-            duration=args.duration,
-            limits=Limits(args.u_min, args.u_max, -radians(args.pitch_limit_deg), radians(args.pitch_limit_deg)),
-        )
+        maneuver = asked(args)
         trajectory = planned(maneuver, args)
         console.print(f"{maneuver}: planned in {time.perf_counter() - began:.2f} s")
         trajectory.save(args.out)

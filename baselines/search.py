@@ -60,15 +60,18 @@ def no_plan(maneuver: Maneuver, shortest: Trajectory | None) -> InfeasibleManeuv
     if shortest is None:
         return InfeasibleManeuver(f"no plan for {maneuver}, nor for the same in any other time")
     (low, high), (pitch_low, pitch_high) = maneuver.limits.u, maneuver.limits.pitch
-    pitch_share = max(shortest.x[4].max() / pitch_high, shortest.x[4].min() / pitch_low)
+    pitch = max(shortest.x[4].max() / pitch_high, shortest.x[4].min() / pitch_low)
     shares = {
         "lower": np.mean(shortest.u < low + NEAR * (high - low)),
         "upper": np.mean(shortest.u > high - NEAR * (high - low)),
     }
-    riding = " and ".join(f"on the {name} one {share:.0%}" for name, share in shares.items())
+    # What rounds to 0 % is not in the way.
+    riding = " and ".join(f"on the {name} limit {share:.0%}" for name, share in shares.items() if round(share, 2))
+    said = [f"its pitch reaches {pitch:.0%} of its limit"] if round(pitch, 2) else []
+    said += [f"its voltages ride {riding} of the time"] if riding else []
     return InfeasibleManeuver(
-        f"no plan for {maneuver}; the shortest found takes {shortest.duration:.2f} s: its pitch reaches "
-        f"{pitch_share:.0%} of its limit, and its voltages ride {riding} of the time",
+        f"no plan for {maneuver}; the shortest found takes {shortest.duration:.2f} s"
+        + (f": {', and '.join(said)}" if said else ""),
         shortest.duration,
     )
 

@@ -107,7 +107,7 @@ def return_trip() -> Trajectory:
 
 # Elevation is positive downwards.
 SUITE: dict[str, Callable[[], Trajectory]] = {
-    "travel-360": partial(planned, 360.0, 0.0, 10.0),
+    "travel-360": partial(plan, Maneuver(), method="paper"),
     "travel-360-slow": partial(planned, 360.0, 0.0, 15.0),
     "travel-180": partial(planned, 180.0, 0.0, 10.0),
     "climb-7.5": partial(planned, 0.0, -7.5, 5.0),

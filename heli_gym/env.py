@@ -88,8 +88,11 @@ class Heli3DOFEnv(gym.Env):
     | `lab`     | (3) with rotor lag, friction, thrust loss, one period of delay, encoders, estimated rates |
     | `rigid`   | the full rigid body in one of two variants, with the same actuators, friction and sensors |
 
-    `lab` and `rigid` are drawn anew in every episode, from ranges of published models and data of such rigs. The
-    integrator is Runge-Kutta of order four: one step per control period on `nominal`, steps of 10 ms on the others.
+    `lab` and `rigid` are drawn anew in every episode, from ranges of published models and data of such rigs. Only
+    travel damping, published from 0.017 to 0.48 1/s, ends at 0.20: at the greatest travel rate of the paper's plan, a
+    tilt of 50 degrees outweighs 0.35 1/s and no more, and from 0.25 1/s on, following the plan takes more than the
+    amplifier's 12 V. The integrator is Runge-Kutta of order four: one step per control period on `nominal`, steps
+    of 10 ms on the others.
 
     ## Action Space
 
@@ -105,8 +108,8 @@ class Heli3DOFEnv(gym.Env):
 
     A `Box` of 49 float32 values: the measured tracking error, the last voltages, then the reference and its nominal
     voltages now and 0.1, 0.2, 0.4 and 0.8 s ahead, and the remaining time. On the nominal plant that makes the task
-    Markov. The bounds follow from the greatest acceleration that the model and the amplifier allow, so that nothing is
-    clipped.
+    Markov. The bounds follow from the greatest acceleration that the plant, its disturbances (gusts up to six standard
+    deviations) and the amplifier allow, so that nothing is clipped.
 
     | Num    | Observation                                            | Unit  |
     |--------|--------------------------------------------------------|-------|
@@ -139,15 +142,22 @@ class Heli3DOFEnv(gym.Env):
 
     ## Starting State
 
-    The reference's start, at rest. With `start_spread_deg`, each of the three angles is drawn uniformly within that
-    distance of it. With `random_start`, it is the state at a random time of the maneuver instead, and what is left of
-    the maneuver is flown. `reset(options={"state": x})` starts at the state x (6,) instead, within 1 rad and 1 rad/s of
-    the reference's start; `reset(options={"plant": plant})` flies another plant in this episode.
+    The reference's start, at rest but for `elevation-sine`. With `start_spread_deg`, each of the three angles is drawn
+    uniformly within that distance of it, the pitch within its limit. With `random_start`, it is the state at a random
+    time of the maneuver instead, and what is left of the maneuver is flown. `reset(options={"state": x})` starts at the
+    state x (6,) instead, within 1 rad and 1 rad/s of the reference's start; `reset(options={"plant": plant})` flies
+    another plant in this episode.
 
     ## Episode End
 
-    Terminated when the pitch leaves `±pitch_limit`. Truncated when the maneuver is over. Then `info["is_success"]`
-    tells whether the maneuver was flown to its end and every tracking error is within its tolerance.
+    Terminated when the pitch leaves `±pitch_limit`. Elevation has no stop: neither a floor nor a bound ends a flight or
+    holds the arm. Truncated when the maneuver is over. In the last step, `info["is_success"]` tells whether the
+    maneuver was flown to its end, and there the true state is within the tolerances of Rewards, angles and rates alike.
+
+    That asks for the reference's pitch as well, which fits a reference that ends at rest. Where one ends in motion, as
+    "elevation-sine" does, travel damping has to be outweighed by more tilt than the reference has: up to 8 degrees on
+    `lab`, and more than the tolerance of 6 on a quarter of its draws. Success is then only for a policy that lets go of
+    the travel in time, and what follows it closely succeeds on about half of the draws.
 
     ## Arguments
 
@@ -266,7 +276,7 @@ class Heli3DOFEnv(gym.Env):
         }
         if over != FLYING:
             self.over = True
-            info["is_success"] = over == ARRIVED and bool(task.succeeded(self.simulation.errors()[:, 0]))
+            info["is_success"] = over == ARRIVED and bool(task.succeeded(self.simulation.errors(ONLY)[:, 0]))
         if self.render_mode == "human":
             self.render()
         return observation, reward, over == CRASHED, over == ARRIVED, info

@@ -31,6 +31,7 @@ NOT_NEGATIVE = 2**40 - 1  # a mask that tells the compiler so, that it need not 
 
 # Rows of a block. What a step tells of a helicopter: (44), V, the last reward and cost, flags, time on its reference:
 X, ASKED, REWARD, COST, TERMINATED, TRUNCATED, TIME = 0, 6, 8, 9, 10, 11, 12
+PITCH = X + 4
 MEASURED = 13  # (44), where sensors are not exact
 TOLD, TOLD_AND_MEASURED = 13, 19  # rows
 # what it remembers besides: voltages in V, the present and the last step of its reference and the first of its rows in
@@ -232,21 +233,25 @@ def blow(block: Any, n: int, s: Settings) -> None:
                 block[(first + GUST) * ROW + i] = kept * gust + math.sqrt(1.0 - kept * kept) * strength * normal
 
 
-def disturb(block: Any, n: int, s: Settings, after: Any) -> None:
-    """What the disturbances amount to, so many seconds after the start of the control period."""
+def disturb(block: Any, n: int, s: Settings, after: Any, h: Any) -> None:
+    """What the disturbances amount to in h seconds of integration, so many after the start of the control period.
+
+    A push counts for the share of them in which it is on, so that its impulse is right whatever its duration.
+    """
     for i in range(n):
         put_six(block, TORQUES, i, (0.0, 0.0, 0.0, 0.0, 1.0, 1.0))
     for d in range(int(s.disturbances)):
         first = DISTURBANCES + DISTURBANCE * d
         for i in range(n):
             kind, channel, amount, start, duration, _, _, gust = eight(block, first, i)
-            time = s.period * block[STEP * ROW + i] + after
+            since = s.period * block[STEP * ROW + i] + after - start
+            on = min(max(since + h, 0.0), duration) - min(max(since, 0.0), duration)  # finite, if the duration is not
             if kind == WANDER:
                 value = gust
             elif kind == SLIDE:
-                value = amount * min(max((time - start) / duration, 0.0), 1.0)
+                value = amount * min(max((since + 0.5 * h) / duration, 0.0), 1.0)
             else:
-                value = amount if start <= time < start + duration else 0.0
+                value = amount * on / h
             row = TORQUES + int(channel)
             if row < EFFECT:
                 block[row * ROW + i] += value
@@ -286,7 +291,7 @@ def fly_hindered(block: Any, n: int, s: Settings) -> None:
         blow(block, n, s)
     for k in range(int(s.substeps)):
         if s.disturbances > 0.0:
-            disturb(block, n, s, (k + 0.5) * h)
+            disturb(block, n, s, k * h, h)
         integrate(block, n, h)
 
 
@@ -430,6 +435,7 @@ def start(block: Any, i: int, s: Settings, table: Any, initial: Any, u: Any, sta
     if len(state) == 0:
         for axis in range(3):
             block[(X + 2 * axis) * ROW + i] += s.start_spread * (2.0 * u[START_ANGLES + axis] - 1.0)
+        block[PITCH * ROW + i] = min(max(block[PITCH * ROW + i], -s.pitch_limit), s.pitch_limit)
     for motor in range(2):
         if block[STEP * ROW + i] > 0.0:
             block[(ASKED + motor) * ROW + i] = table[at - FEATURES + 6 + motor]

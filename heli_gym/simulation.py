@@ -150,8 +150,8 @@ class Simulation:
         )
         self.told = TOLD_AND_MEASURED if settings.is_sensed else TOLD  # rows
         self.ranges = stacked_ranges(plants)
-        drawn = start_spread > 0.0 or random_start or settings.is_noisy
-        self.draws = [START_PLANT + p.uniforms if drawn or p.uniforms else 0 for p in plants]
+        drawn = start_spread > 0.0 or random_start
+        self.draws = [START_PLANT + p.uniforms if drawn or p.is_noisy or p.uniforms else 0 for p in plants]
         self.uniforms = np.zeros((len(plants), START_PLANT + max(p.uniforms for p in all_plants)))
 
         rows = DISTURBANCES + DISTURBANCE * disturbances + 2 * delay
@@ -312,10 +312,12 @@ class Simulation:
         over = self.kernels.step(self.blocks, self.settings, self.flat_table, self.actions, observation, told)
         return over, observation, told
 
-    def errors(self) -> np.ndarray:
-        """Tracking errors (6, N) of the true states, now."""
-        row = (self.rows(TABLE, 1) + self.rows(STEP, 1))[0].astype(int)
-        return self.rows(X, 6) - self.table[row, :6].T
+    def errors(self, helicopters: np.ndarray) -> np.ndarray:
+        """Tracking errors (6, n) of the true states of these helicopters (n,), now."""
+        block, lane = np.divmod(helicopters, LANES)
+        rows = self.blocks.reshape(-1, self.size // ROW, ROW)
+        place = (rows[block, TABLE, lane] + rows[block, STEP, lane]).astype(int)
+        return rows[block, X : X + 6, lane].T - self.table[place, :6].T
 
     def rows(self, first: int, count: int) -> np.ndarray:
         """These rows of all helicopters, (count, N)."""

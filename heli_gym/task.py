@@ -4,12 +4,13 @@ Pure functions that broadcast: components first, floats or arrays alike.
 """
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from heli_gym.parameters import HelicopterParameters, Limits
-from heli_gym.plant import Plant
+from heli_gym.plant import AXES, Disturbance, Gust, MovingMass, Plant, Push, magnitude
 from heli_gym.trajectory import Trajectory
 
 PREVIEW = (0.0, 0.1, 0.2, 0.4, 0.8)  # s ahead, at which the observation shows the reference
@@ -22,6 +23,7 @@ EFFORT_TOLERANCE = 6.0  # V, from the nominal voltage, likewise
 
 FARTHEST_START = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # rad and rad/s, between a start and the reference's
 FARTHEST_DRAWN = (math.tau, 1.0, 1.0, 1.0, 1.0, 1.0)  # rad and rad/s, where references that are drawn start at most
+GUST_DEVIATIONS = 6.0  # standard deviations of a gust, which has no bound, that the observation's bounds allow
 
 
 def to_voltage(action: Any, voltage_limits: tuple[float, float]) -> Any:
@@ -120,9 +122,28 @@ def shown_by_any(duration: float, voltage_limits: tuple[float, float], pitch_lim
 
 
 def greatest_acceleration(p: HelicopterParameters, u_max: float) -> np.ndarray:
-    """The accelerations (3,) in rad/s² that (3) cannot exceed with voltages up to u_max in V."""
-    v_max = 2.0 * max(abs(p.k_plus), abs(p.k_minus)) * u_max**2
-    return np.array([abs(p.b1) * v_max, abs(p.a1) + abs(p.a2) + abs(p.b2) * v_max, abs(p.a3) + abs(p.b3) * v_max])
+    """The accelerations (3,) in rad/s² that (3) cannot exceed with voltages up to u_max in V.
+
+    Parameters may be ranges: each term grows with the magnitude of every parameter in it, and so is greatest in a
+    corner.
+    """
+    k_plus, k_minus, a1, a2, a3, b1, b2, b3 = map(magnitude, p)
+    v_max = 2.0 * max(k_plus, k_minus) * u_max**2
+    return np.array([b1 * v_max, a1 + a2 + b2 * v_max, a3 + b3 * v_max])
+
+
+def greatest_disturbance(disturbances: Sequence[Disturbance]) -> np.ndarray:
+    """The accelerations (3,) in rad/s² that disturbances cannot exceed, all at once: see GUST_DEVIATIONS for gusts."""
+    acceleration = dict.fromkeys(AXES, 0.0)
+    for value in disturbances:
+        match value:
+            case Push(axis, amount):
+                acceleration[axis] += magnitude(amount)
+            case Gust(axis, strength):
+                acceleration[axis] += GUST_DEVIATIONS * magnitude(strength)
+            case MovingMass(a2_change):
+                acceleration["elevation"] += magnitude(a2_change)
+    return np.array(list(acceleration.values()))
 
 
 def reached(start: np.ndarray, acceleration: np.ndarray, duration: float) -> np.ndarray:
@@ -135,13 +156,19 @@ def reached(start: np.ndarray, acceleration: np.ndarray, duration: float) -> np.
 def observation_bound(
     shown: Shown, plant: Plant, voltage_limits: tuple[float, float], pitch_limit: float, control_period: float
 ) -> np.ndarray:
-    """Bounds (8 + features,) on the absolute value of the observation that no flight can exceed.
+    """Bounds (8 + features,) on the absolute value of the observation that no flight of the plant can exceed.
 
     Rates grow by the greatest acceleration that (3) and the amplifier allow, for the whole duration; pitch ends the
-    flight at its limit, one control period late at most. Whatever a plant adds to (3) is allowed as much again.
+    flight at its limit, one control period late at most. Whatever a plant adds to (3) is allowed as much again, and
+    its disturbances on top of that, all of them all the time. Gusts are normally distributed and have no bound: they
+    are allowed GUST_DEVIATIONS standard deviations, for the whole duration too, which no flight comes near.
     """
     u_max = np.abs(voltage_limits).max()
-    acceleration = greatest_acceleration(plant.parameters, u_max) * (1.0 if plant.is_plain else 2.0)
+    accelerations = [
+        greatest_acceleration(q.parameters, u_max) * (1.0 if q.is_plain else 2.0) + greatest_disturbance(q.disturbances)
+        for q in plant.alternatives
+    ]
+    acceleration = np.max(accelerations, axis=0)
     duration = control_period * (control_steps(shown.features[-1], control_period) + 1)
     state = reached(shown.start + FARTHEST_START, acceleration, duration)
     state[4] = pitch_limit + state[5] * control_period

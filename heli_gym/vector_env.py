@@ -57,8 +57,9 @@ class Heli3DOFVectorEnv(VectorEnv):
         dtype: str = "float64",
         **unknown: Any,
     ) -> None:
-        if isinstance(num_envs, bool) or not isinstance(num_envs, int) or num_envs < 1:
+        if isinstance(num_envs, bool) or not isinstance(num_envs, int | np.integer) or num_envs < 1:
             raise ValueError(f"num_envs = {num_envs!r}: a positive whole number is needed")
+        num_envs = int(num_envs)
         if dtype not in ("float64", "float32"):
             raise ValueError(f"dtype = {dtype!r}: 'float64' or 'float32' is needed")
         if render_mode not in (None, *self.metadata["render_modes"]):
@@ -125,7 +126,12 @@ class Heli3DOFVectorEnv(VectorEnv):
             raise ValueError(f"options = {options!r}: only 'state', 'plant', 'time' and 'reset_mask' are known")
         if (not self.has_begun or "plant" in options) and not mask.all():
             raise ValueError("options['reset_mask']: at the first reset, and where the plant changes, all are meant")
-        seeds = [seed + i for i in range(self.num_envs)] if isinstance(seed, int) else seed or [None] * self.num_envs
+        if seed is None:
+            seeds: list[int | None] = [None] * self.num_envs
+        elif isinstance(seed, int | np.integer):
+            seeds = [int(seed) + i for i in range(self.num_envs)]
+        else:
+            seeds = [None if one is None else int(one) for one in seed]
         if len(seeds) != self.num_envs:
             raise ValueError(f"seed = {seed!r}: a whole number, or one for each of {self.num_envs}, is needed")
         helicopters = np.flatnonzero(mask)
@@ -136,21 +142,21 @@ class Heli3DOFVectorEnv(VectorEnv):
         for i in helicopters.tolist():
             if seeds[i] is not None:
                 self.generators[i] = np_random(seeds[i])[0]
+        simulation, plant = self.simulation, options.get("plant")
         if mask.all():
-            plant = options.get("plant")
-            self.simulation = (
-                self.own_simulation if plant is None else self._simulation([find_plant(plant)] * self.num_envs)
-            )
+            simulation = self.own_simulation if plant is None else self._simulation([find_plant(plant)] * self.num_envs)
+        starts = [simulation.draw(i, self.generators[i]).x[:, 0] for i in helicopters.tolist()]
+        states = self._states(options.get("state"), helicopters, np.array(starts))
+        simulation.begin(helicopters, states, times)
+        self.simulation = simulation
+        if not self.has_begun or mask.all():
             self.over = np.zeros(self.num_envs, bool)
             self.has_begun = True
-        starts = [self.simulation.draw(i, self.generators[i]).x[:, 0] for i in helicopters.tolist()]
-        states = self._states(options.get("state"), helicopters, np.array(starts))
-        self.simulation.begin(helicopters, states, times)
         observation, told = self.simulation.arrays()
         self.simulation.tell(self.everyone, observation, told)
         self.over[helicopters] = False
         self.is_waiting = bool(self.over.any())
-        info = self._info(told, mask)
+        info = self._info(told, mask.copy())
         info["plant"], info["_plant"] = np.full(self.num_envs, None, object), mask.copy()
         for i in helicopters.tolist():
             info["plant"][i] = self.plant_of(i)
@@ -169,7 +175,7 @@ class Heli3DOFVectorEnv(VectorEnv):
             raise gym.error.ResetNeeded(f"the episodes {np.flatnonzero(waiting)} are over: reset them before step")
         count, observation, told = self.simulation.step(actions)
         if count == NOT_FINITE:
-            bad = np.flatnonzero(~np.isfinite(actions).all(axis=1))
+            bad = np.flatnonzero(~np.isfinite(actions.astype(self.dtype)).all(axis=1))
             raise ValueError(f"actions[{bad[0]}] = {actions[bad[0]]}: two finite numbers are needed")
 
         flown = self.all
@@ -269,17 +275,16 @@ class Heli3DOFVectorEnv(VectorEnv):
 
     def _end(self, info: dict[str, Any], observation: np.ndarray, told: np.ndarray, truncated: np.ndarray) -> None:
         """Tells of flights that are over, and starts the next ones where that is the mode."""
-        over = self.over
-        success = truncated & task.succeeded(self.simulation.errors())
+        over, ended = self.over.copy(), np.flatnonzero(self.over)
+        info["is_success"], info["_is_success"] = np.zeros(self.num_envs, bool), over
+        info["is_success"][ended] = truncated[ended] & task.succeeded(self.simulation.errors(ended))
         if self.autoreset_mode is not AutoresetMode.SAME_STEP:
-            info["is_success"], info["_is_success"] = success, over
             return
-        ended = np.flatnonzero(over)
-        final = {name: value.copy() for name, value in info.items()}
-        final["is_success"] = success
+        final: dict[str, Any] = {}
         for name in ("state", "measurement", "time", "voltage", "cost", "is_success"):
-            final[name][~over] = 0
-            final[f"_{name}"] = over
+            final[name], final[f"_{name}"] = np.zeros(info[name].shape, info[name].dtype), over
+            final[name][ended] = info[name][ended]
+        del info["is_success"], info["_is_success"]
         info["final_info"], info["_final_info"] = final, over
         info["final_obs"], info["_final_obs"] = np.full(self.num_envs, None, object), over
         for i in ended:

@@ -14,11 +14,12 @@ from io import StringIO
 import numpy as np
 import pytest
 from matplotlib.image import imread
+from rich.console import Console
 
 from baselines import evaluate, fly, make_policy
 from baselines.evaluate import Args
 from baselines.metrics import Metrics, flight_metrics
-from heli_gym.env import Heli3DOFEnv
+from heli_gym.env import Heli3DOFEnv, find_reference
 
 POLICIES = ("open-loop", "zero")
 EPISODES, SEED = 3, 5
@@ -140,6 +141,49 @@ def test_the_same_seed_gives_the_same_results_and_no_figures_are_drawn_unasked(e
 def test_constant_values_have_a_mean_and_no_interval():
     assert evaluate.with_interval(np.full(5, 2.0)) == {"mean": 2.0, "interval": None}
     assert evaluate.with_interval(np.array([[1.0, 2.0]])) == {"mean": [1.0, 2.0], "interval": None}
+
+
+@pytest.mark.parametrize("name", ["climb-7.5", "own.npz"])
+def test_what_is_drawn_of_flights_is_the_maneuver_that_was_flown_and_of_plans_the_papers(
+    tmp_path, monkeypatch, paper_plan, unconstrained_plan, name
+):
+    flown = find_reference("climb-7.5")
+    flown.save(tmp_path / "own.npz")
+    monkeypatch.setattr(evaluate, "PAPER_PERIOD", 0.02)  # sooner flown
+    drawn = {}
+    monkeypatch.setattr(evaluate.figures, "save", lambda figure, path: drawn.update({path.stem[:5]: figure}))
+    reference = str(tmp_path / name) if name == "own.npz" else name
+    args = Args(reference=reference, plant="lab", seed=SEED, out=tmp_path)
+    evaluate.draw_figures(args, unconstrained_plan, paper_plan, Console(quiet=True))
+    for figure in (drawn["overv"], drawn["fig10"], drawn["fig11"]):
+        assert figure.get_suptitle() == f"{name} on the plant lab at 20 ms"
+        [nominal] = [line for line in figure.axes[0].lines if line.get_label() == "nominal"]
+        np.testing.assert_array_equal(nominal.get_xdata(), flown.t)
+    elevation, [start, *_] = flown.x[2], drawn["overv"].axes[1].lines[0].get_ydata()
+    assert start == pytest.approx(np.degrees(elevation[0]) + evaluate.FIGURE_START_DEG[1])
+    assert drawn["fig08"].axes[0].lines[0].get_xdata()[-1] == 10.0
+
+
+@pytest.mark.parametrize(("plant", "policy"), [("lab", "open-loop"), ("nominal", "residual")])
+def test_the_title_of_the_table_tells_of_the_starts_that_are_in_it(evaluated, plant, policy):
+    args = Args(policies=(policy,), plant=plant, episodes=1)
+    rows = evaluate.summarise(evaluate.evaluate(args, Console(quiet=True)))
+    assert [row["start"] for row in rows] == ["perturbed"]
+    assert evaluate.table_title(args, rows).endswith(f"on the plant {plant}: perturbed: 1 starts up to 5° off at 20 ms")
+    assert "exact start at 1 ms; perturbed: 3 starts" in " ".join(evaluated[2].split())
+
+
+def test_the_caption_says_when_a_flight_is_a_success_and_what_saturates(evaluated):
+    printed = " ".join(evaluated[2].split())
+    assert "success: flown to the end of the maneuver, every error within its tolerance there (3 / 6 / 3 /" in printed
+    assert "saturated: time with a voltage at a limit of the amplifier" in printed
+
+
+def test_every_policy_is_looked_up_before_the_first_is_flown(tmp_path, monkeypatch):
+    for name in ("fly", "fly_many"):
+        monkeypatch.setattr(evaluate, name, lambda *args, **kwargs: pytest.fail("flown"))
+    with pytest.raises(SystemExit, match="heli-evaluate: name = 'foo'"):
+        evaluate.main(Args(policies=("zero", "foo"), episodes=1, out=tmp_path))
 
 
 @pytest.mark.parametrize(

@@ -32,6 +32,7 @@ FLIGHTS = {
     "crashed": wave(Limits(), 1.5, 0.02, 0.6),
     "hover LQR with a long name": wave(Limits(), 4.0, 0.02, 0.9),
 }
+TITLE = "wave on the plant nominal"
 GAINS = Gains(np.linspace(0.0, 4.0, 9), np.arange(108.0).reshape(2, 6, 9), np.zeros((6, 6, 9)))
 DRAW = {
     "thrust map": lambda: figures.thrust_map(PARAMETERS, LIMITS),
@@ -40,10 +41,10 @@ DRAW = {
     "smooth saturation": lambda: figures.smooth_saturation(LIMITS.pitch),
     "ramp saturation": lambda: figures.ramp_saturation(),
     "gains": lambda: figures.gains(GAINS),
-    "angles": lambda: figures.angles(REFERENCE, FLIGHTS),
-    "voltages": lambda: figures.voltages(REFERENCE, FLIGHTS),
-    "overview": lambda: figures.overview(REFERENCE, FLIGHTS),
-    "overview of a plan": lambda: figures.overview(REFERENCE, {}),
+    "angles": lambda: figures.angles(REFERENCE, FLIGHTS, TITLE),
+    "voltages": lambda: figures.voltages(REFERENCE, FLIGHTS, TITLE),
+    "overview": lambda: figures.overview(REFERENCE, FLIGHTS, TITLE),
+    "overview of a plan": lambda: figures.overview(REFERENCE, {}, TITLE),
 }
 
 
@@ -88,6 +89,11 @@ def test_nothing_sticks_out_of_the_picture(drawn, name):
     assert box.x0 >= 0.0 and box.y0 >= 0.0
     width, height = figure.get_size_inches()
     assert box.x1 <= width and box.y1 <= height
+
+
+@pytest.mark.parametrize("name", ["angles", "voltages", "overview", "overview of a plan"])
+def test_a_figure_of_flights_says_what_was_flown(drawn, name):
+    assert drawn[name].get_suptitle() == TITLE
 
 
 @pytest.mark.parametrize("name", ["feedforward", "angles", "overview", "overview of a plan"])
@@ -187,7 +193,7 @@ def test_rounding_errors_do_not_fill_a_panel():
     x = np.zeros((6, 5))
     x[2] = [0.0, 1e-17, -1e-17, 1e-17, 0.0]
     flat = Trajectory(np.arange(5.0), x, np.full((2, 5), 7.9))
-    low, high = panel(figures.overview(flat, {}), "elevation").get_ylim()
+    low, high = panel(figures.overview(flat, {}, TITLE), "elevation").get_ylim()
     assert low <= -1.0 and high >= 1.0
 
 
@@ -231,7 +237,7 @@ def test_save_refuses_a_name_that_does_not_end_in_png(tmp_path, figure):
 
 def test_figures_leave_matplotlib_s_settings_alone():
     before = dict(matplotlib.rcParams)
-    figures.overview(REFERENCE, FLIGHTS)
+    figures.overview(REFERENCE, FLIGHTS, TITLE)
     assert dict(matplotlib.rcParams) == before
 
 

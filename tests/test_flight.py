@@ -10,10 +10,12 @@ from independent import equation_3, inputs
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.integrate import solve_ivp
 
-from baselines import fly, make_policy, plan
+from baselines import ManeuverSampler, fly, make_policy, plan
+from baselines.flight import fly_many
 from baselines.metrics import flight_metrics
 from heli_gym import Maneuver, Trajectory
 from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.vector_env import Heli3DOFVectorEnv
 
 REFERENCE = find_reference("travel-360")
 
@@ -129,6 +131,69 @@ def test_a_policy_for_another_control_period_is_refused():
     policy = make_policy("open-loop", REFERENCE, 0.01)
     with pytest.raises(ValueError, match=r"policy.*0\.01 s.*0\.02 s"):
         fly(Heli3DOFEnv(control_period=0.02), policy)
+
+
+FLIGHTS = {  # one helicopter, and many
+    "fly": lambda policy, **arguments: fly(Heli3DOFEnv(**arguments), policy, seed=0),
+    "fly_many": lambda policy, **arguments: fly_many(Heli3DOFVectorEnv(2, **arguments), policy, seed=0),
+}
+
+
+@pytest.mark.parametrize("flown", FLIGHTS.values(), ids=FLIGHTS)
+def test_flights_that_start_at_random_times_are_refused(flown):
+    # their times would not be those of the reference, and their errors nonsense
+    with pytest.raises(ValueError, match=r"which starts? at its"):
+        flown(make_policy("feedforward+tvlqr", REFERENCE), random_start=True)
+
+
+@pytest.mark.parametrize("flown", FLIGHTS.values(), ids=FLIGHTS)
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [
+        ("open-loop", "TrackingPolicy"),
+        ("feedforward+tvlqr", "TrackingPolicy"),
+        ("lqi", "ModelPolicy"),
+        ("residual", "ResidualPolicy"),
+    ],
+)
+@pytest.mark.parametrize(
+    ("reference", "said"),
+    [("travel-180", "another reference than env's.* rad"), ("climb-15", "a reference of 10 s, and env's takes 7 s")],
+)
+def test_a_policy_for_another_reference_is_refused(flown, name, kind, reference, said):
+    with pytest.raises(ValueError, match=f"policy: this {kind} was made for {said}"):
+        flown(make_policy(name, REFERENCE), reference=reference)
+
+
+def test_a_policy_is_compared_with_the_reference_that_is_drawn():
+    env = Heli3DOFEnv(reference=ManeuverSampler())
+    env.reset(seed=1)
+    policy = make_policy("feedforward+tvlqr", env.reference)
+    assert flight_metrics(fly(env, policy, seed=1), env.reference, env.voltage_limits).success
+    with pytest.raises(ValueError, match="another reference"):
+        fly(env, policy, seed=2)
+
+
+def test_a_reference_that_is_solved_again_is_the_same():
+    x = REFERENCE.x + 1e-4 * np.random.default_rng(0).uniform(-1.0, 1.0, REFERENCE.x.shape)
+    again = Trajectory(REFERENCE.t, x, REFERENCE.u)
+    assert fly(Heli3DOFEnv(), make_policy("feedforward+tvlqr", again)).duration == pytest.approx(10.0)
+
+
+@pytest.mark.parametrize("flown", FLIGHTS.values(), ids=FLIGHTS)
+def test_a_policy_for_another_amplifier_is_refused(flown):
+    policy = make_policy("lqi", REFERENCE)
+    with pytest.raises(ValueError, match=r"policy: this ModelPolicy .* 0 to 12 V, .* 1 to 10 V"):
+        flown(policy, voltage_limits=(1.0, 10.0))
+    policy.voltage_limits = (1.0, 10.0)
+    flown(policy, voltage_limits=(1.0, 10.0))
+
+
+@pytest.mark.parametrize("policy", [make_policy("zero", REFERENCE), Scripted(np.full(2, 7.9))])
+def test_a_policy_that_was_made_for_no_reference_or_amplifier_flies_any(policy):
+    if isinstance(policy, Scripted):
+        policy.x = np.zeros(6)  # what a user calls x is the user's own
+    fly(Heli3DOFEnv(reference="climb-15", voltage_limits=(1.0, 10.0)), policy)
 
 
 @pytest.mark.parametrize("make", [lambda: gym.make("Pendulum-v1"), lambda: gym.make_vec("Heli3DOF-v0", 2)])

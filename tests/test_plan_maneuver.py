@@ -37,6 +37,7 @@ def test_the_file_is_the_plan_of_the_maneuver_and_its_picture_is_beside_it(tmp_p
 
 
 def test_the_defaults_are_the_papers_maneuver(tmp_path, paper_plan):
+    assert plan_maneuver.asked(Args()) == Maneuver()
     plan_maneuver.main(Args(out=tmp_path / "plan.npz", figure=False))
     saved = Trajectory.load(tmp_path / "plan.npz")
     for name in ("t", "x", "u"):
@@ -50,15 +51,15 @@ def test_the_defaults_are_the_papers_maneuver(tmp_path, paper_plan):
         ({"duration": 0.0}, r"duration = 0\.0"),
         ({"duration": -3.0}, r"duration = -3\.0"),
         ({"duration": math.nan}, "duration = nan"),
-        ({"travel_deg": math.nan}, r"goal = \(nan"),
-        ({"start_travel_deg": math.inf}, r"start = \(inf"),
-        ({"elevation_deg": 80.0}, r"goal = .*elevation 80\.00 deg"),
-        ({"start_elevation_deg": -60.0}, r"start = .*elevation -60\.00 deg"),
+        ({"travel_deg": math.nan}, "travel_deg = nan: .*degrees"),
+        ({"start_travel_deg": math.inf}, "start_travel_deg = inf: .*degrees"),
+        ({"elevation_deg": 80.0}, r"elevation_deg = 80\.0: hover .* takes .* V .* limits are 1 to 11 V"),
+        ({"start_elevation_deg": -60.0}, r"start_elevation_deg = -60\.0: hover .* takes"),
         ({"u_min": 12.0}, "u_min = 12 V and u_max = 11 V"),
         ({"u_max": math.nan}, "u_max = nan"),
-        ({"pitch_limit_deg": 0.0}, "pitch"),
-        ({"pitch_limit_deg": 90.0}, "pitch"),
-        ({"pitch_limit_deg": -50.0}, "pitch"),
+        ({"pitch_limit_deg": 0.0}, r"pitch_limit_deg = 0\.0: .*90 degrees"),
+        ({"pitch_limit_deg": 90.0}, r"pitch_limit_deg = 90\.0: .*90 degrees"),
+        ({"pitch_limit_deg": -50.0}, r"pitch_limit_deg = -50\.0: .*90 degrees"),
         ({"method": "magic"}, "method = 'magic'"),
         ({"method": "magic", "fastest": True}, "method = 'magic'"),
         ({"reserve": 0.1}, r"reserve = 0\.1: only the fastest plan"),
@@ -95,7 +96,8 @@ def test_the_fastest_plan_is_faster_and_leaves_its_reserve(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("name", ["plan.txt", "plan"])
-def test_an_out_that_is_no_npz_file_is_refused(tmp_path, name):
+def test_an_out_that_is_no_npz_file_is_refused_before_anything_is_planned(tmp_path, monkeypatch, name):
+    monkeypatch.setattr(plan_maneuver, "plan", lambda *args: pytest.fail("planned"))
     with pytest.raises(SystemExit, match=f"heli-plan: .*{name}.*npz"):
         plan_maneuver.main(Args(10.0, duration=6.0, out=tmp_path / name))
     assert os.listdir(tmp_path) == []

@@ -8,11 +8,13 @@ from independent import hover
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.integrate import solve_ivp
 
+from heli_gym.env import find_reference
 from heli_gym.kernels import DISTURBANCES, GUST, MEASURED, MOTOR, ROTOR, ROW, X
 from heli_gym.model import dynamics, hover_input, thrust, virtual_input, voltage
 from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
 from heli_gym.plant import (
     COULOMB_RATE,
+    LAB_FRICTION,
     PLANTS,
     Friction,
     Gust,
@@ -134,12 +136,20 @@ def test_noise_has_the_standard_deviation_that_was_asked_for():
     assert_allclose(np.corrcoef(errors[:, 1:], errors[:, :-1]), np.eye(6), atol=0.08)
 
 
+@pytest.mark.parametrize("start", [0.1, 0.1037, 0.1149])
+@pytest.mark.parametrize("duration", [0.003, 0.007, 0.013, 0.016, 0.05])
 @pytest.mark.parametrize(("axis", "row"), [("travel", 1), ("elevation", 3), ("pitch", 5)])
-def test_a_push_changes_the_rate_by_acceleration_times_duration(axis, row):
-    plant = Plant(disturbances=(Push(axis, acceleration=2.0, time=0.1, duration=0.05),))
-    before, after = (simulate(plant, duration=duration).x[row, -1] for duration in (0.1, 0.16))
+def test_a_push_changes_the_rate_by_acceleration_times_duration(axis, row, duration, start):
+    plant = Plant(disturbances=(Push(axis, acceleration=2.0, time=start, duration=duration),))
+    before, after = (simulate(plant, duration=end).x[row, -1] for end in (0.1, 0.18))
     assert before == pytest.approx(0.0, abs=1e-12)
-    assert after == pytest.approx(0.1, rel=1e-2)
+    assert after == pytest.approx(2.0 * duration, rel=1e-2)
+
+
+@pytest.mark.parametrize("start", [0.0, -0.25, 0.1037])
+def test_a_push_without_end_goes_on(start):
+    plant = Plant(disturbances=(Push("travel", acceleration=2.0, time=start, duration=math.inf),))
+    assert simulate(plant, duration=1.0).x[1, -1] == pytest.approx(2.0 * (1.0 - max(start, 0.0)), rel=1e-12)
 
 
 def test_a_gust_has_its_standard_deviation_and_correlation_time():
@@ -163,6 +173,12 @@ def test_a_rotor_fault_takes_its_share_of_one_thrust_from_its_time_on():
     assert states[4, -1] < 0.0
 
 
+@pytest.mark.parametrize("start", [1.003, 1.0149])
+def test_a_rotor_fault_off_the_grid_takes_its_share_from_its_very_time_on(start):
+    rate = simulate(Plant(disturbances=(RotorFault("front", loss=0.3, time=start),)), duration=1.06).x[5, -1]
+    assert rate == pytest.approx(-P.b3 * 0.3 * float(thrust(HOVER[0], P)) * (1.06 - start), rel=1e-2)
+
+
 def ranges(value):
     if isinstance(value, Uniform | OneOf):
         yield value
@@ -184,7 +200,25 @@ def test_draws_are_within_the_ranges_and_leave_none(name):
         if name != "nominal":
             assert 0.05 <= draw.rotors.lag <= 0.2
             assert 0.0 <= draw.rotors.thrust_loss <= 0.15
-            assert 0.017 <= draw.friction.viscous[0] <= 0.2
+            for value, (low, high) in zip(draw.friction.viscous, [(0.017, 0.2), (0.04, 0.3), (0.04, 0.46)]):
+                assert low <= value <= high
+
+
+def test_travel_damping_ends_before_the_paper_s_plan_takes_more_voltage_than_there_is():
+    reference = find_reference("travel-360")
+    (_, dq1, q2, _, q3, _), u = reference(np.linspace(0.0, reference.duration, 2001))
+    v1 = virtual_input(thrust(u, P))[0]
+
+    def tilt_and_voltage(damping):
+        """Pitch in degrees, and voltage at both fans, with which travel and elevation are the plan's nevertheless."""
+        sideways, lift = v1 * np.sin(q3) + damping * dq1 / (P.b1 * np.cos(q2)), v1 * np.cos(q3)
+        return np.degrees(np.arctan2(sideways, lift)), voltage(0.5 * np.hypot(sideways, lift), P)
+
+    fastest = np.abs(dq1).argmax()
+    assert np.degrees(dq1[fastest]) == pytest.approx(88.0, abs=0.5)
+    assert tilt_and_voltage(0.35)[0][fastest] == pytest.approx(-50.0, abs=0.5)
+    assert tilt_and_voltage(LAB_FRICTION.viscous[0].high)[1].max() < 12.0
+    assert tilt_and_voltage(0.25)[1].max() == pytest.approx(12.0, abs=0.05)
 
 
 def test_the_rigid_plant_draws_both_variants_and_the_drag_ratio():
@@ -226,14 +260,31 @@ def test_reset_can_set_the_plant_of_one_episode():
         (lambda: Rotors(lag=Uniform(-0.1, 0.1)), "lag"),
         (lambda: Rotors(thrust_loss=1.5), "thrust_loss"),
         (lambda: Rotors(delay=-1), "delay"),
+        (lambda: Rotors(delay=1.5), "delay"),
+        (lambda: Rotors(delay=Uniform(0.0, 2.0)), "delay"),
+        (lambda: Rotors(delay=math.nan), "delay"),
         (lambda: Rotors(slew=math.nan), "slew"),
         (lambda: Friction(viscous=(-0.1, 0.0, 0.0)), "viscous"),
         (lambda: Friction(coulomb=(0.1, 0.0)), "coulomb"),
         (lambda: Sensors(counts=(0, 1, 1)), "counts"),
+        (lambda: Friction(viscous=(0.0, math.inf, 0.0)), "viscous"),
+        (lambda: Sensors(counts=(8192, 4096.5, 4096)), "counts"),
+        (lambda: Sensors(counts=(8192, Uniform(1.0, 9.0), 4096)), "counts"),
         (lambda: Sensors(noise=-1.0), "noise"),
+        (lambda: Sensors(noise=math.inf), "noise"),
         (lambda: Push("yaw", 1.0, 0.0), "axis"),
+        (lambda: Push("pitch", math.nan, 0.0), "acceleration"),
+        (lambda: Push("pitch", -math.inf, 0.0), "acceleration"),
+        (lambda: Push("pitch", 1.0, math.nan), "time"),
+        (lambda: Push("pitch", 1.0, -math.inf), "time"),
+        (lambda: Push("pitch", 1.0, 0.0, math.nan), "duration"),
         (lambda: Gust("pitch", -1.0), "strength"),
+        (lambda: Gust("pitch", math.inf), "strength"),
         (lambda: MovingMass(0.1, 0.0, 0.0), "duration"),
+        (lambda: MovingMass(math.inf, 0.0), "a2_change"),
+        (lambda: MovingMass(0.1, math.nan), "time"),
+        (lambda: RotorFault("front", 0.1, math.inf), "time"),
+        (lambda: RotorFault("front", 0.1, math.nan), "time"),
         (lambda: RotorFault("left", 0.1), "rotor"),
         (lambda: RotorFault("front", 2.0), "loss"),
     ],
@@ -241,3 +292,25 @@ def test_reset_can_set_the_plant_of_one_episode():
 def test_a_value_that_no_rig_has_is_refused_by_name(make, name):
     with pytest.raises(ValueError, match=name):
         make()
+
+
+def test_whatever_may_be_a_range_is_drawn_and_flown():
+    one, several = Uniform(0.1, 0.2), (Uniform(0.1, 0.2),) * 3
+    plant = Plant(
+        parameters=HelicopterParameters(k_plus=Uniform(4e-3, 5e-3), b1=Uniform(-0.7, -0.6)),
+        rotors=Rotors(lag=one, thrust_loss=one, slew=Uniform(40.0, 50.0)),
+        friction=Friction(viscous=several, coulomb=several),
+        sensors=Sensors(noise=Uniform(0.001, 0.002), rate_filter=one),
+        disturbances=(
+            Push("pitch", one, one, one),
+            Gust("pitch", one, one),
+            MovingMass(one, one, one),
+            RotorFault("back", one, one),
+        ),
+    )
+    env = gym.make("heli_gym:Heli3DOF-v0", plant=plant)
+    draws = [env.reset(seed=seed)[1]["plant"] for seed in range(5)]
+    for _ in range(20):
+        env.step(np.array([0.3, 0.3], np.float32))
+    assert len({draw.parameters.b1 for draw in draws}) == 5
+    assert all(-0.7 <= draw.parameters.b1 <= -0.6 and not list(ranges(draw)) for draw in draws)

@@ -12,11 +12,11 @@ from scipy.stats import norm
 
 from baselines import fly, make_policy
 from baselines.residual import load_learned, save_learned
-from heli_gym.env import Heli3DOFEnv
+from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import Plant, Push
 from heli_gym.vector_env import Heli3DOFVectorEnv
 from train import results
-from train.oracle import EFFORT, Oracle
+from train.oracle import EFFORT, NoOptimum, Oracle
 from train.results import Args, compare, improvement, interquartile_mean, mean_with_interval, table_of
 
 RESULTS = Path(__file__).parents[1] / "results"
@@ -82,7 +82,9 @@ def test_a_method_is_flown_once_for_each_of_its_seeds(tmp_path):
     found = compare(args, Console(quiet=True))["mine"]
     assert found.shape == (len(results.METRICS), 2, 3)
     envs = Heli3DOFVectorEnv(3, "lab", start_spread_deg=results.START_SPREAD_DEG)
-    assert_array_equal(found[:, 1], results.measured(envs, f"{seeds[1]}.json", args.seed))
+    assert_array_equal(
+        found[:, 1], results.measured(envs, make_policy(f"{seeds[1]}.json", envs.reference_of(0)), args.seed)
+    )
 
 
 @pytest.mark.parametrize(
@@ -94,11 +96,55 @@ def test_a_method_is_flown_once_for_each_of_its_seeds(tmp_path):
         ({"against": "zero"}, "against"),
         ({"oracle": -1}, "oracle"),
         ({"plant": "x"}, "plant"),
+        ({"plant": "nominal", "oracle": 1}, "plant: the lag"),
+        ({"policies": ("feedforward+tvlqr", "foo")}, "name = 'foo'"),
     ],
 )
-def test_bad_settings_are_named(tmp_path, change, name):
+def test_bad_settings_are_named_before_anything_is_flown(tmp_path, monkeypatch, change, name):
+    monkeypatch.setattr(results, "fly_many", lambda *args: pytest.fail("flown"))
     with pytest.raises(ValueError, match=name):
         compare(Args(out=tmp_path, **change), Console(quiet=True))
+
+
+def test_a_draw_without_optimum_is_left_out_of_the_oracles_row_and_no_other(tmp_path, monkeypatch, capsys):
+    args = Args(policies=("feedforward+tvlqr",), reference="climb-7.5", episodes=4, oracle=3, out=tmp_path)
+    asked = []
+
+    def policy(self, plant, x, u, control_period):
+        asked.append(plant)
+        if len(asked) == 2:
+            raise NoOptimum("no optimal voltages for this one")
+        return make_policy("kalman-lqr", find_reference("climb-7.5"))
+
+    monkeypatch.setattr(Oracle, "policy", policy)
+    found = compare(args, Console())
+    assert f"seed {args.seed + 1}, left out of the oracle's row: no optimal" in " ".join(
+        capsys.readouterr().out.split()
+    )
+    _, rows = table_of(args, found)
+    assert (rows["oracle"]["draws"], rows["feedforward+tvlqr"]["draws"]) == (2, 4)
+    kept = found["oracle"][:, :, [0, 2]]
+    assert np.isfinite(kept).all()
+    assert rows["oracle"]["travel"]["iqm"] == interquartile_mean(kept[0])
+    assert rows["oracle"]["travel improvement"] == improvement(kept[0], found["feedforward+tvlqr"][0][:, [0, 2]])
+    results.draw_profiles(tmp_path / "profiles.png", args, found)
+
+
+def test_without_any_optimum_the_oracle_has_no_row(tmp_path, monkeypatch):
+    def policy(*args):
+        raise NoOptimum("none")
+
+    monkeypatch.setattr(Oracle, "policy", policy)
+    args = Args(policies=("feedforward+tvlqr",), reference="climb-7.5", episodes=2, oracle=1, out=tmp_path)
+    assert set(compare(args, Console(quiet=True))) == {"feedforward+tvlqr"}
+
+
+def test_a_solver_that_gives_up_says_so():
+    env = Heli3DOFEnv("lab", "climb-7.5", 0.05)
+    oracle = Oracle(env.plant, env.reference, env.control_period, env.voltage_limits, env.pitch_limit)
+    _, info = env.reset(seed=0)
+    with pytest.raises(NoOptimum, match=r"no optimal voltages for .*: Invalid_Number_Detected"):
+        oracle.policy(info["plant"], np.full(6, np.nan), env.reference.u[:, 0], env.control_period)
 
 
 @pytest.mark.parametrize("plant", ["lab", "rigid"])

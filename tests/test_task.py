@@ -11,9 +11,9 @@ from independent import TABLE_I, equation_2, hover, inputs
 from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym import HelicopterParameters, Limits, Trajectory, task
-from heli_gym.env import find_reference
+from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.model import dynamics, rk4_step
-from heli_gym.plant import Plant
+from heli_gym.plant import Gust, MovingMass, OneOf, Plant, Push, RotorFault, Uniform
 
 LIMITS = Limits(u_min=2.0, u_max=10.0, pitch_min=-0.4, pitch_max=0.6)
 PARAMETERS = HelicopterParameters()
@@ -225,3 +225,53 @@ def test_the_observation_bound_grows_with_the_amplifier(axis):
     features = task.reference_features(REFERENCE, 0.02)
     bounds = [task.observation_bound(task.shown_by(features), Plant(), (0.0, u), 1.3, 0.02) for u in (10.0, 12.0, 15.0)]
     assert bounds[0][axis] < bounds[1][axis] < bounds[2][axis]
+
+
+def bound_of(plant, reference=REFERENCE):
+    """The observation bound of a plant in 20 ms steps."""
+    shown = task.shown_by(task.reference_features(reference, 0.02))
+    return task.observation_bound(shown, plant, (0.0, 12.0), 1.3, 0.02)
+
+
+def test_the_observation_bound_of_ranges_is_that_of_their_worst_corner():
+    low, high = PARAMETERS, PARAMETERS._replace(k_plus=5e-3, a1=-1.5, a2=-0.5, a3=-0.7, b1=-0.9, b2=-0.7, b3=6.0)
+    of_ranges = bound_of(Plant(type(low)(*(Uniform(*sorted(ends)) for ends in zip(low, high)))))
+    assert_array_equal(of_ranges, bound_of(Plant(high)))
+    assert (of_ranges[:6:2] > bound_of(Plant())[:6:2]).all()
+    assert_array_equal(bound_of(Plant(OneOf((low, high, low)))), of_ranges)
+
+
+HOVER = hover(2.0)
+STRONG = (
+    Push("travel", 20.0, 0.0, 10.0),
+    Push("elevation", Uniform(-50.0, 3.0), -1.0, np.inf),
+    Push("pitch", 30.0, 0.1, 1.0),
+    Gust("travel", 200.0, 1.0),
+    MovingMass(-50.0, -5.0),
+)
+
+
+@pytest.mark.parametrize("disturbances", [*((one,) for one in STRONG), STRONG], ids=[*map(repr, STRONG), "all"])
+def test_no_push_gust_or_moving_mass_takes_a_flight_beyond_the_observation_bound(disturbances):
+    bound = bound_of(Plant(disturbances=disturbances), HOVER)
+    env = Heli3DOFEnv(Plant(disturbances=disturbances), HOVER, pitch_limit=1.3)
+    assert_allclose(env.observation_space.high, bound, rtol=1e-6)
+    for action in ([-1.0, -1.0], [1.0, 1.0], [0.3, 0.3]):
+        env.reset(seed=0)
+        over = False
+        while not over:
+            observation, _, terminated, truncated, _ = env.step(np.array(action, np.float32))
+            over = terminated or truncated
+            assert observation in env.observation_space
+
+
+def test_the_observation_bound_allows_the_pushes_on_an_axis_all_at_once_and_six_deviations_of_a_gust():
+    calm = bound_of(Plant(disturbances=(RotorFault("front", 0.5),)))
+    duration = 10.0 + 0.02
+    for disturbances, row, acceleration in (
+        ((Push("travel", -2.0, 0.0), Push("travel", Uniform(-1.0, 0.5), 5.0), Push("pitch", 1.0, 0.0)), 1, 3.0),
+        ((Gust("elevation", Uniform(0.1, 0.5)),), 3, 3.0),
+        ((MovingMass(Uniform(-3.0, 0.0), 0.0),), 3, 3.0),
+    ):
+        rate = bound_of(Plant(disturbances=disturbances))[row]
+        assert rate - calm[row] == pytest.approx(acceleration * duration)

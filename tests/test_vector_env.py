@@ -194,3 +194,73 @@ def test_a_reset_of_some_renews_their_references_only():
         assert_array_equal(envs.reference_of(2).x, expected.x)
         assert_allclose(observation[2, 48], expected.duration)
         assert all(envs.reference_of(i) is before[i] for i in range(6) if i != 2)
+
+
+@pytest.mark.parametrize("mode", ["NextStep", "SameStep", "Disabled"])
+def test_changing_any_array_that_was_handed_out_changes_no_flight(mode):
+    flights = []
+    for scribble in (False, True):
+        envs = Heli3DOFVectorEnv(4, "lab", "climb-7.5", autoreset_mode=mode, start_spread_deg=5.0, pitch_limit=0.3)
+        mask = np.ones(4, bool)
+        told = envs.reset(seed=0, options={"reset_mask": mask})
+        seen, rng = [], np.random.default_rng(0)
+        for _ in range(200):
+            if scribble:
+                flat = [value for part in told for value in (part.values() if isinstance(part, dict) else [part])]
+                for array in flat:
+                    if isinstance(array, np.ndarray) and array.dtype != object and array.flags.writeable:
+                        array[...] = 1
+                mask[:] = False
+            if mode == "Disabled" and envs.is_waiting:
+                envs.reset(seed=1, options={"reset_mask": envs.over.copy()})
+            told = envs.step(rng.uniform(0.0, 0.6, (4, 2)))
+            seen.append((told[0].copy(), told[2].copy()))
+        flights.append(seen)
+    for (a, over), (b, other) in zip(*flights):
+        assert_array_equal(a, b)
+        assert_array_equal(over, other)
+
+
+def test_after_a_reset_that_fails_what_was_flown_before_is_flown_on():
+    envs = Heli3DOFVectorEnv(2)
+    with pytest.raises(ValueError, match="state"):
+        envs.reset(options={"state": np.full(6, 50.0)})
+    with pytest.raises(gym.error.ResetNeeded):
+        envs.step(np.zeros((2, 2)))
+    envs.reset(seed=0)
+    with pytest.raises(ValueError, match="state"):
+        envs.reset(options={"state": np.full(6, 50.0), "plant": "lab"})
+    *_, info = envs.step(np.zeros((2, 2)))
+    assert_allclose(info["time"], 0.02)
+
+
+@pytest.mark.parametrize("seed", [np.int64(3), np.array([3, 4]), [3, 4], (3, 4)])
+def test_seeds_may_be_numpy_numbers(seed):
+    envs = Heli3DOFVectorEnv(np.int64(2), start_spread_deg=5.0)
+    expected, _ = Heli3DOFVectorEnv(2, start_spread_deg=5.0).reset(seed=3)
+    assert_array_equal(envs.reset(seed=seed)[0], expected)
+
+
+@pytest.mark.filterwarnings("ignore:overflow")
+def test_an_action_that_single_precision_cannot_hold_is_named():
+    envs = Heli3DOFVectorEnv(2, dtype="float32")
+    envs.reset(seed=0)
+    with pytest.raises(ValueError, match=r"actions\[1\]"):
+        envs.step(np.array([[0.0, 0.0], [1e300, 0.0]]))
+
+
+def test_a_helicopter_draws_no_more_beside_a_noisy_one():
+    mixed = Heli3DOFVectorEnv(2, [Plant(), Plant(sensors=Sensors(noise=1e-3))], EitherReference())
+    alone = Heli3DOFEnv(reference=EitherReference())
+    mixed.reset(seed=0), alone.reset(seed=0)
+    for _ in range(5):
+        mixed.reset(), alone.reset()
+        assert mixed.reference_of(0).duration == alone.reference.duration
+    assert mixed.generators[0].random() == alone.np_random.random()
+
+
+def test_no_flight_starts_beyond_the_pitch_limit():
+    envs = Heli3DOFVectorEnv(300, start_spread_deg=5.0, random_start=True, pitch_limit=np.radians(50.0))
+    for seed in range(3):
+        _, info = envs.reset(seed=1000 * seed)
+        assert np.abs(info["state"][:, 4]).max() <= np.radians(50.0)

@@ -168,7 +168,11 @@ def test_the_network_of_a_plant_in_the_browser_is_that_of_python(live, plant):
 
 @pytest.mark.parametrize("plant", ["nominal", "lab"])
 def test_a_push_in_the_browser_is_that_of_python(live, plant):
-    pushes = (Push("pitch", acceleration=4.0, time=2.0), Push("travel", acceleration=-2.0, time=5.0, duration=0.3))
+    pushes = (
+        Push("pitch", acceleration=4.0, time=2.0),
+        Push("elevation", acceleration=3.0, time=3.0037, duration=0.013),  # off the steps of the integration
+        Push("travel", acceleration=-2.0, time=5.0, duration=0.3),
+    )
     draw = DRAWS[plant]
     env = Heli3DOFEnv(Plant(rotors=draw.rotors, friction=draw.friction, sensors=draw.sensors, disturbances=pushes))
     controller = make_policy("feedforward+tvlqr", env.reference, PERIOD)

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from baselines.collocation import import_casadi
 from baselines.policies import period
 from heli_gym.model import dynamics, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
@@ -22,6 +23,10 @@ from heli_gym.trajectory import Trajectory
 DEGREE = np.pi / 180.0
 EFFORT = 1e-3  # per V², of the deviation from the nominal voltages, against one per degree² of error
 MARGIN = 5.0 * DEGREE  # rad, that the pitch keeps from where the flight ends
+
+
+class NoOptimum(RuntimeError):
+    """The solver found no best voltages for a drawn plant."""
 
 
 @dataclass(eq=False)
@@ -49,7 +54,9 @@ class Oracle:
         pitch_limit: rad.
 
     Raises:
-        ValueError: for a plant with Coulomb friction, a slew limit or disturbances, which this problem leaves out.
+        ValueError: for a plant without rotor lag, or with Coulomb friction, a slew limit or disturbances, which this
+            problem leaves out.
+        ImportError: if CasADi is missing.
     """
 
     def __init__(
@@ -60,11 +67,12 @@ class Oracle:
         voltage_limits: tuple[float, float],
         pitch_limit: float,
     ) -> None:
-        import casadi as ca
-
+        ca = import_casadi()
         example = plant.at(np.zeros(plant.uniforms)) if plant.uniforms else plant
         if any(example.friction.coulomb) or np.isfinite(example.rotors.slew) or example.disturbances:
             raise ValueError(f"plant = {plant}: no Coulomb friction, slew limit or disturbances are needed")
+        if not example.rotors.lag > 0.0:
+            raise ValueError(f"plant: the lag of its rotors is {example.rotors.lag:g} s, and more than 0 s is needed")
         self.delay, self.is_rigid = example.rotors.delay, example.rig is not None
         x_ref, u_ref = control_grid(reference, control_period)
         self.x_ref, self.u_ref = x_ref, u_ref[:, :-1]
@@ -131,7 +139,7 @@ class Oracle:
     def policy(self, plant: Plant, x: np.ndarray, u: np.ndarray, control_period: float) -> Sequence:
         """The best voltages for a drawn plant that starts in the state x (6,), its rotors turning at u (2,) V.
 
-        Raises RuntimeError if the solver finds none.
+        Raises NoOptimum if the solver finds none.
         """
         guess = np.concatenate(
             (np.vstack((self.x_ref, self.u_ref[:, [*range(self.steps), -1]])).ravel("F"), self.u_ref.ravel("F"))
@@ -139,5 +147,5 @@ class Oracle:
         given = np.concatenate((x, u, u, self.numbers(plant)))
         found = self.found = self.solver(x0=guess, p=given, lbx=self.lower, ubx=self.upper, lbg=0.0, ubg=0.0)
         if not self.solver.stats()["success"]:
-            raise RuntimeError(f"no optimal voltages for {plant}: {self.solver.stats()['return_status']}")
+            raise NoOptimum(f"no optimal voltages for {plant}: {self.solver.stats()['return_status']}")
         return Sequence(np.array(found["x"])[8 * (self.steps + 1) :].reshape(2, self.steps, order="F"), control_period)

@@ -21,13 +21,13 @@ from scipy.stats import trim_mean
 
 from baselines.flight import fly, fly_many
 from baselines.metrics import flight_metrics
-from baselines.policies import make_policy
+from baselines.policies import Policy, make_policy
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
-from train.oracle import Oracle
+from train.oracle import NoOptimum, Oracle
 
 START_SPREAD_DEG = 5.0
 RESAMPLES, CONFIDENCE = 2000, 0.95
@@ -50,10 +50,10 @@ class Args:
     out: Path = Path("out/results")
 
 
-def measured(envs: Heli3DOFVectorEnv, name: str, seed: int) -> np.ndarray:
+def measured(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> np.ndarray:
     """The metrics (len(METRICS), draws) of a policy, in degrees, s and shares."""
     reference = envs.reference_of(0)
-    flights = fly_many(envs, make_policy(name, reference, envs.control_period), seed)
+    flights = fly_many(envs, policy, seed)
     return np.array([metrics_of(flight, reference, envs) for flight in flights]).T
 
 
@@ -64,16 +64,18 @@ def metrics_of(flight: Trajectory, reference: Trajectory, env: Heli3DOFEnv | Hel
     return *m.rms_error_deg, m.cost, m.episode_return, float(crashed), float(m.success)
 
 
-def floor(args: Args, console: Console) -> np.ndarray:
-    """The metrics (len(METRICS), args.oracle) of the oracle on the first draws."""
-    env = Heli3DOFEnv(args.plant, args.reference, start_spread_deg=START_SPREAD_DEG)
-    oracle = Oracle(env.plant, env.reference, env.control_period, env.voltage_limits, env.pitch_limit)
-    rows = []
+def floor(env: Heli3DOFEnv, oracle: Oracle, args: Args, console: Console) -> np.ndarray:
+    """The metrics (len(METRICS), args.oracle) of the oracle on the first draws; NaN where it finds no optimum."""
+    found = np.full((len(METRICS), args.oracle), np.nan)
     for k in track(range(args.oracle), "the floor", console=console):
         _, info = env.reset(seed=args.seed + k)
-        policy = oracle.policy(info["plant"], info["state"], env.reference.u[:, 0], env.control_period)
-        rows.append(metrics_of(fly(env, policy, seed=args.seed + k), env.reference, env))
-    return np.array(rows).T
+        try:
+            policy = oracle.policy(info["plant"], info["state"], env.reference.u[:, 0], env.control_period)
+        except NoOptimum as error:
+            console.print(f"seed {args.seed + k}, left out of the oracle's row: {error}")
+            continue
+        found[:, k] = metrics_of(fly(env, policy, seed=args.seed + k), env.reference, env)
+    return found
 
 
 def interquartile_mean(values: np.ndarray) -> float:
@@ -114,7 +116,11 @@ def improvement(values: np.ndarray, others: np.ndarray) -> dict[str, object]:
 
 
 def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
-    """The metrics (len(METRICS), seeds, draws) of each policy."""
+    """The metrics (len(METRICS), seeds, draws) of each policy; NaN on draws for which the oracle finds no optimum.
+
+    Raises ValueError for settings that make no sense, and ImportError if the oracle is asked for and CasADi is missing,
+    both before anything is flown.
+    """
     check_folder("out", args.out)
     if args.episodes < 2:
         raise ValueError(f"episodes = {args.episodes}: at least 2 are needed")
@@ -131,13 +137,27 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         if method.name in names:
             raise ValueError(f"methods: two are called {method.name!r}")
         names[method.name] = [str(path) for path in found]
-    jobs = [(label, name) for label, group in names.items() for name in group]
-    results: dict[str, list[np.ndarray]] = {label: [] for label in names}
-    for label, name in track(jobs, "flying", console=console):
-        results[label].append(measured(envs, name, args.seed))
+    # All that can be refused is made before the first flight.
+    reference = envs.reference_of(0)
+    jobs = [
+        (label, make_policy(name, reference, envs.control_period)) for label, group in names.items() for name in group
+    ]
     if args.oracle:
-        results["oracle"] = [floor(args, console)]
+        single = Heli3DOFEnv(args.plant, reference, start_spread_deg=START_SPREAD_DEG)
+        oracle = Oracle(single.plant, reference, single.control_period, single.voltage_limits, single.pitch_limit)
+    results: dict[str, list[np.ndarray]] = {label: [] for label in names}
+    for label, policy in track(jobs, "flying", console=console):
+        results[label].append(measured(envs, policy, args.seed))
+    if args.oracle:
+        least = floor(single, oracle, args, console)
+        if np.isfinite(least).any():
+            results["oracle"] = [least]
     return {label: np.stack(group, axis=1) for label, group in results.items()}
+
+
+def flown(values: np.ndarray) -> np.ndarray:
+    """The draws (n,), of those of the metrics (len(METRICS), seeds, draws), that were flown."""
+    return np.flatnonzero(np.isfinite(values).all(axis=(0, 1)))
 
 
 def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[str, dict]]:
@@ -151,13 +171,15 @@ def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[st
     table.add_column("crashes", justify="right")
     table.add_column("success", justify="right")
     rows: dict[str, dict] = {}
-    for label, values in results.items():
+    for label, all_values in results.items():
+        draws = flown(all_values)
+        values = all_values[:, :, draws]
         row: dict = {name: mean_with_interval(values[METRICS.index(name)]) for name in SHOWN}
         for name in SHOWN[:2]:
             k = METRICS.index(name)
-            row[f"{name} improvement"] = improvement(values[k], results[args.against][k][:, : values.shape[2]])
+            row[f"{name} improvement"] = improvement(values[k], results[args.against][k][:, draws])
         row["crashes"], row["success"] = (float(values[METRICS.index(name)].mean()) for name in ("crashed", "success"))
-        row["seeds"] = values.shape[1]
+        row["seeds"], row["draws"] = values.shape[1:]
         rows[label] = row
         means = [
             f"{row[name]['iqm']:.3g} [{row[name]['interval'][0]:.3g}, {row[name]['interval'][1]:.3g}]" for name in SHOWN
@@ -182,7 +204,7 @@ def draw_profiles(path: Path, args: Args, results: dict[str, np.ndarray]) -> Non
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained", sharey=True)
     for axis, name in zip(axes, SHOWN[:2]):
         for label, values in results.items():
-            errors = np.sort(values[METRICS.index(name)].ravel())
+            errors = np.sort(values[METRICS.index(name)][:, flown(values)].ravel())
             axis.step(errors, np.arange(1, len(errors) + 1) / len(errors), where="post", label=label)
         axis.set_xlabel(f"RMS error of {name} (deg)")
         axis.set_xscale("log")
@@ -201,7 +223,7 @@ def main() -> None:
     console = Console()
     try:
         results = compare(args, console)
-    except ValueError as error:
+    except (ValueError, ImportError) as error:
         sys.exit(f"train.results: {error}")
     table, rows = table_of(args, results)
     console.print(table)

@@ -87,7 +87,7 @@ export function advance(
   let start = rotors.lag ? state.rotors : u;
   for (let k = 0; k < steps; k++) {
     const [middle, end] = [later(start), later(later(start))];
-    const accelerations = disturb(pushes, time + (k + 0.5) * h);
+    const accelerations = disturb(pushes, time + k * h, h);
     const derivative = (at: readonly number[], v: Pair) => {
       const dx = rig === null ? dynamics(at, v, parameters) : rigidDynamics(at, v, rig);
       for (let axis = 0; axis < 3; axis++) {
@@ -101,10 +101,13 @@ export function advance(
   return measure(plant, { ...state, x, rotors: start, pending }, dt);
 }
 
-function disturb(pushes: Push[], time: number): number[] {
+/** Accelerations in the h s from a time on; a push counts for the share of them in which it is on. */
+function disturb(pushes: Push[], time: number, h: number): number[] {
   const accelerations = [0, 0, 0];
   for (const push of pushes) {
-    if (push.time <= time && time < push.time + push.duration) accelerations[push.axis] += push.acceleration;
+    const past = (since: number) => Math.min(Math.max(since, 0), push.duration);
+    const on = past(time + h - push.time) - past(time - push.time);
+    accelerations[push.axis] += (push.acceleration * on) / h;
   }
   return accelerations;
 }
