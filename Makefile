@@ -26,7 +26,7 @@ lint: $(VENV)/dev
 reproduce: $(VENV)/dev
 	@echo "twenty training runs of about three minutes each on an idle core, then the tables: an hour or two"
 	for plant in lab rigid; do \
-	  for seed in $(SEEDS); do $(BIN)/heli-train --plant $$plant --seed $$seed --out out/train || exit 1; done; \
+	  for seed in $(SEEDS); do $(BIN)/heli-train --plant $$plant --seed $$seed --out out/train --resume || exit 1; done; \
 	  $(BIN)/python -m train.results --plant $$plant --methods out/train/$$plant/* --out out/results || exit 1; \
 	done
 

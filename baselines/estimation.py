@@ -18,6 +18,7 @@ from heli_gym.parameters import HelicopterParameters
 ANGLES = (0, 2, 4)  # in (44)
 RATES = (1, 3, 5)
 ENCODER_NOISE = 4e-4  # rad, standard deviation: the rounding of 4096 counts per revolution, 2 pi / 4096 / sqrt(12)
+SETTLED = 1.0  # s, from the start of a flight on, after which the filter has forgotten when that was
 START_DEVIATIONS = (0.05, 0.05, 0.2)  # of angles (rad), rates (rad/s) and disturbances (rad/s²), before a flight
 LEAST_LIFT = 0.2  # N, of the 0.6 N of hover, from which on disturbances are outweighed by a tilt
 
@@ -81,10 +82,10 @@ class Noise(NamedTuple):
 
 
 def kalman_gains(x: np.ndarray, v: np.ndarray, dt: float, parameters: HelicopterParameters, noise: Noise) -> np.ndarray:
-    """Gains (9, 3, K) from the innovations of the angles to the states and disturbances, along a reference.
+    """Gains (9, 3, K) from the innovations of the angles to the states and disturbances, from the start of a flight on.
 
-    The reference is x (6, K), v (2, K), dt seconds apart. The filter's states are (44) and three accelerations in
-    rad/s², random walks; its covariances follow from (3), linearised along the reference.
+    The flight is along a reference x (6, K), v (2, K), dt seconds apart. The filter's states are (44) and three
+    accelerations in rad/s², random walks; its covariances follow from (3), linearised along the reference.
     """
     A = np.moveaxis(linearise(x, v, parameters)[0], -1, 0)
     extended = np.zeros((len(A), 9, 9))
@@ -107,6 +108,19 @@ def kalman_gains(x: np.ndarray, v: np.ndarray, dt: float, parameters: Helicopter
         P = transitions[k] @ P @ transitions[k].T + process[k]
         P = 0.5 * (P + P.T)
     return np.moveaxis(gains, 0, -1)
+
+
+def settling_gains(
+    x: np.ndarray, v: np.ndarray, dt: float, parameters: HelicopterParameters, noise: Noise, start: int
+) -> np.ndarray:
+    """The first gains (9, 3, J) of `kalman_gains`, for a flight that begins at this index of the reference."""
+    along = slice(start, start + settling_periods(dt))
+    return kalman_gains(x[:, along], v[:, along], dt, parameters, noise)
+
+
+def settling_periods(dt: float) -> int:
+    """After how many steps of dt seconds a filter has settled."""
+    return max(1, round(SETTLED / dt))
 
 
 def accommodated(

@@ -112,7 +112,10 @@ def main(args: Args | None = None) -> None:
             raise ValueError(f"out = {str(args.out)!r}: a name that ends in .gif is needed")
         delay(args.frame_time)
         env = Heli3DOFEnv(args.plant, args.reference)
-        policies = {name: make_policy(name, env.reference, env.control_period) for name in args.policies}
+        policies = {
+            name: make_policy(name, env.reference, env.control_period, voltage_limits=env.voltage_limits)
+            for name in args.policies
+        }
         flights = {name: fly(env, policy, seed=args.seed) for name, policy in policies.items()}
         write_gif(film(flights, env, args.width, args.frame_time), args.frame_time, args.out)
     except (ValueError, gym.error.DependencyNotInstalled) as error:

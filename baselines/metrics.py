@@ -8,6 +8,7 @@ from heli_gym.task import control_grid, cost, reward, succeeded
 from heli_gym.trajectory import Trajectory
 
 AT_LIMIT = 1e-6  # V, from the amplifier's limit, which counts as saturated
+ONE = np.radians([2.0, 1.0])  # errors of travel and elevation that halve `tracking_reward`
 
 
 class Metrics(NamedTuple):
@@ -45,3 +46,12 @@ def flight_metrics(flight: Trajectory, reference: Trajectory, voltage_limits: tu
         flown=flight.duration,
         success=bool(steps == x_ref.shape[1] - 1 and succeeded(error[:, -1])),
     )
+
+
+def tracking_reward(error: np.ndarray, cost: np.ndarray, rewards: np.ndarray) -> np.ndarray:
+    """One second's reward (N,) at errors (2, N) of travel and elevation in rad, and a cost (N,) per second.
+
+    With a share of the environment's rewards (N,), which also ask for pitch, rates and effort.
+    """
+    tracking = 1.0 / (1.0 + ((error / ONE[:, None]) ** 2).sum(axis=0))
+    return 0.75 * tracking + 0.25 * rewards - cost

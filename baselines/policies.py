@@ -3,21 +3,35 @@
 They broadcast: a policy flies one helicopter or N of them, at one time or at N.
 """
 
+import json
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from functools import partial
+from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
 from baselines import tvlqr
-from baselines.estimation import IDEAL, Actuator, Noise, accommodated, kalman_gains, predict
+from baselines.estimation import (
+    IDEAL,
+    Actuator,
+    Noise,
+    accommodated,
+    kalman_gains,
+    predict,
+    settling_gains,
+    settling_periods,
+)
 from baselines.regulation import IntegralWeights, Weights, regulator_gains
 from baselines.tvlqr import riccati_gains, stationary_gain
 from heli_gym.model import fan_thrusts, hover_input, thrust, virtual_input, voltage
 from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
+from heli_gym.storage import atomic_write
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
+
+TUNED = Path(__file__).parent / "tuned"  # weights for single plants, a file each
 
 
 class Policy(Protocol):
@@ -79,6 +93,7 @@ class Memory(NamedTuple):
     rotors: np.ndarray  # (2, ...) simulated; V
     pending: tuple[np.ndarray, ...]  # (2, ...) each, asked for and not yet in effect; V
     integral: np.ndarray  # (2, ...) of the errors of travel and elevation; rad s
+    start: Any  # in which control period of the reference the flight began; (N,) where it differs
 
 
 @dataclass(eq=False)
@@ -87,8 +102,10 @@ class ModelPolicy:
 
     On the control grid, K + 1 times `control_period` s apart: x (6, K + 1) and u (2, K + 1), the reference's states and
     voltages; command (2, K + 1), the voltages that an actuator turns into these; regulator (2, n, K + 1), the gains of
-    `regulator_gains`; and observer (9, 3, K + 1), those of `kalman_gains`. Without these, the measured state is used
-    as it is. The feedback acts on the state that is predicted for the time when the voltages take effect.
+    `regulator_gains`; and observer (9, 3, K + 1), those of `kalman_gains` for a flight from the reference's start.
+    Without these, the measured state is used as it is. A flight that begins in some later period uses, while the filter
+    settles, settling(period) (9, 3, J) instead. The feedback acts on the state that is predicted for the time when the
+    voltages take effect.
     """
 
     x: np.ndarray
@@ -96,6 +113,7 @@ class ModelPolicy:
     command: np.ndarray
     regulator: np.ndarray
     observer: np.ndarray | None
+    settling: Callable[[int], np.ndarray] | None
     integrating: bool
     actuator: Actuator
     pitch_limits: tuple[float, float]
@@ -103,6 +121,7 @@ class ModelPolicy:
     control_period: float
     voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
     memory: Memory | None = field(default=None, init=False, repr=False)
+    known: dict[int, np.ndarray] = field(default_factory=dict, init=False, repr=False)
 
     def reset(self, rng: np.random.Generator) -> None:
         """Forget the last flight; nothing is random."""
@@ -126,7 +145,7 @@ class ModelPolicy:
         # Anti-windup: nothing is integrated while the amplifier saturates.
         integral = memory.integral + self.control_period * error * (u == applied).all(axis=0)
         x, rotors = self.predicted(x, memory.rotors, pending[0], disturbance)
-        self.memory = Memory(x, disturbance, rotors, pending[1:], integral)
+        self.memory = Memory(x, disturbance, rotors, pending[1:], integral, memory.start)
         return u
 
     def replace_last(self, u: np.ndarray) -> None:
@@ -144,14 +163,32 @@ class ModelPolicy:
         """At the first call: the reference, which is what a filter begins with, the rotors turning at its voltages."""
         batch = measurement.shape[1:]
         x, u = (beside(start[:, now], measurement) + np.zeros(batch) for start in (self.x, self.u))
-        return Memory(x, np.zeros((3, *batch)), u, (u,) * self.actuator.delay, np.zeros((2, *batch)))
+        return Memory(x, np.zeros((3, *batch)), u, (u,) * self.actuator.delay, np.zeros((2, *batch)), now)
 
     def estimated(self, memory: Memory, now: Any, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """State (6, ...) and disturbance (3, ...)."""
         if self.observer is None:
             return measurement, memory.disturbance
-        correction = applied_to(self.observer[:, :, now], (measurement - memory.x)[0::2])
+        correction = applied_to(self.observer_gains(now, memory.start), (measurement - memory.x)[0::2])
         return memory.x + correction[:6], memory.disturbance + correction[6:]
+
+    def observer_gains(self, now: Any, start: Any) -> np.ndarray:
+        """Gains (9, 3), or (9, 3, N) of N times, in this period of flights that began in others."""
+        assert self.observer is not None
+        settles = (start > 0) & (now - start < settling_periods(self.control_period))
+        if np.ndim(now) == 0:
+            return self.first_gains(start)[:, :, now - start] if settles else self.observer[:, :, now]
+        gains = self.observer[:, :, now]
+        for i in np.flatnonzero(settles):
+            gains[:, :, i] = self.first_gains(int(start[i]))[:, :, now[i] - start[i]]
+        return gains
+
+    def first_gains(self, start: int) -> np.ndarray:
+        """`settling`, computed once."""
+        assert self.settling is not None
+        if start not in self.known:
+            self.known[start] = self.settling(start)
+        return self.known[start]
 
     def predicted(self, x: Any, rotors: Any, u: Any, disturbance: Any) -> tuple[np.ndarray, np.ndarray]:
         """State (6, ...) and rotor speeds (2, ...) a control period later."""
@@ -302,15 +339,17 @@ def model_policy(
     u = u[:, :-1]
     v = np.stack(virtual_input(thrust(u, parameters)))
     regulator = regulator_gains(x, v, control_period, parameters, weights, actuator.lag)
-    observer = None
+    observer = settling = None
     if isinstance(weights, ObserverWeights):
         observer = kalman_gains(x, v, control_period, parameters, weights.noise)
+        settling = partial(settling_gains, x, v, control_period, parameters, weights.noise)
     return ModelPolicy(
         x=x,
         u=u,
         command=command,
         regulator=regulator,
         observer=observer,
+        settling=settling,
         integrating=isinstance(weights, IntegralWeights),
         actuator=actuator,
         pitch_limits=reference.limits.pitch,
@@ -403,6 +442,24 @@ WEIGHTS: dict[str, Weights] = {  # of those that can be tuned
 }
 
 
+def store_weights(name: str, plant: str, weights: Weights) -> None:
+    """Keeps the weights of a policy for a plant, atomically: those that `name@plant` flies with."""
+    path = TUNED / f"{plant}.json"
+    known = json.loads(path.read_text()) if path.is_file() else {}
+    rounded = {key: float(f"{value:.4g}") for key, value in asdict(weights).items()}
+    with atomic_write(path) as file:
+        file.write((json.dumps({**known, name: rounded}, indent=2, sort_keys=True) + "\n").encode())
+
+
+def stored_weights(name: str, plant: str) -> Weights:
+    """What `store_weights` has kept. Raises ValueError where there is nothing."""
+    path = TUNED / f"{plant}.json"
+    known = json.loads(path.read_text()) if path.is_file() else {}
+    if name not in known:
+        raise ValueError(f"name = {f'{name}@{plant}'!r}: no weights are stored, see baselines.tune")
+    return type(WEIGHTS[name])(**known[name])
+
+
 def is_learned(name: str) -> bool:
     """Whether the policy of this name was learned, and so flies at the control period of its training only."""
     return name.startswith("residual") or name.endswith(".json")
@@ -414,24 +471,33 @@ def make_policy(
     control_period: float = 0.02,
     parameters: HelicopterParameters = HelicopterParameters(),
     weights: Weights | None = None,
+    voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS,
 ) -> Policy:
-    """A policy by its name, for a reference, a control period in s and the parameters that it is to believe in.
+    """A policy by its name, for a reference, a control period in s, and the parameters and V that it is to believe in.
 
     A name that ends in .json is the path of a learned policy; see `baselines.residual`. The weights are those in
-    `WEIGHTS`, unless others of the same type are given.
+    `WEIGHTS`, unless others of the same type are given; "lqi@lab", say, has those that `baselines.tune` stored for the
+    plant lab.
 
     Raises ValueError for an unknown name, or for weights that the policy does not have.
     """
     if str(name).endswith(".json") and weights is None:
         from baselines.residual import learned_policy
 
-        return learned_policy(name, reference, control_period, parameters)
-    if name not in POLICIES:
-        known = ", ".join(map(repr, POLICIES))
-        raise ValueError(f"name = {name!r}: one of {known}, or the path of a learned policy, .json, is needed")
-    if weights is None:
-        return POLICIES[name](reference, control_period, parameters)
-    if type(weights) is not type(WEIGHTS.get(name)):
-        kind = type(WEIGHTS[name]).__name__ if name in WEIGHTS else "nothing, for it has no weights,"
-        raise ValueError(f"weights = {weights!r}: {kind} is needed for {name!r}")
-    return POLICIES[name](reference, control_period, parameters, weights)
+        policy: Policy = learned_policy(name, reference, control_period, parameters)
+    else:
+        kind, _, plant = str(name).partition("@")
+        if kind not in POLICIES or (plant and kind not in WEIGHTS):
+            known = ", ".join(map(repr, POLICIES))
+            raise ValueError(f"name = {name!r}: one of {known}, or the path of a learned policy, .json, is needed")
+        if weights is None and plant:
+            weights = stored_weights(kind, plant)
+        if weights is not None and type(weights) is not type(WEIGHTS.get(kind)):
+            needed = type(WEIGHTS[kind]).__name__ if kind in WEIGHTS else "nothing, for it has no weights,"
+            raise ValueError(f"weights = {weights!r}: {needed} is needed for {name!r}")
+        policy = POLICIES[kind](reference, control_period, parameters, *([] if weights is None else [weights]))
+    parts: tuple[Any, ...] = policy, getattr(policy, "base", None)
+    for part in parts:
+        if hasattr(part, "voltage_limits"):
+            part.voltage_limits = voltage_limits
+    return policy

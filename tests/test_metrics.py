@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from baselines import fly, make_policy
-from baselines.metrics import Metrics, flight_metrics
+from baselines.metrics import Metrics, flight_metrics, tracking_reward
 from heli_gym import Limits, Trajectory
 from heli_gym.env import Heli3DOFEnv, find_reference
 
@@ -138,3 +138,11 @@ def test_an_exact_flight_earns_almost_a_second_per_second():
     metrics, _ = summed(policy_for("feedforward+tvlqr", REFERENCE, 0.02))
     assert 9.999 < metrics.episode_return <= 10.0
     assert metrics.success is True
+
+
+def test_the_reward_of_tracking_is_greatest_without_error_and_cost():
+    zero = np.zeros((2, 1)), np.zeros(1)
+    best = tracking_reward(*zero, np.ones(1))
+    assert_allclose(best, 1.0)
+    assert (tracking_reward(np.full((2, 1), 0.02), np.zeros(1), np.ones(1)) < best).all()
+    assert (tracking_reward(np.zeros((2, 1)), np.full(1, 0.1), np.ones(1)) < best).all()

@@ -3,19 +3,22 @@
 import functools
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from independent import TABLE_I, hover, inputs
 from numpy.testing import assert_allclose, assert_array_equal
 
-from baselines import POLICIES, fly, make_policy, riccati_gains
+from baselines import POLICIES, fly, make_policy, policies, riccati_gains
 from baselines.estimation import IDEAL, Actuator
 from baselines.metrics import flight_metrics
-from baselines.policies import LQI, TVLQR, WEIGHTS, kalman_lqr, lag_lqi, lag_lqr
+from baselines.policies import LAG_LQR, LQI, TVLQR, WEIGHTS, kalman_lqr, lag_lqi, lag_lqr, store_weights
 from heli_gym import HelicopterParameters
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import Plant, Push, Rotors
+from heli_gym.task import to_action
+from heli_gym.vector_env import Heli3DOFVectorEnv
 
 REFERENCE = find_reference("travel-360")
 PERIODS = [0.001, 0.005, 0.02]
@@ -158,6 +161,33 @@ def test_against_a_lasting_push_integrals_and_the_observer_leave_no_offset_but_t
     assert offsets[1] > 0.2
 
 
+@pytest.mark.parametrize("time", [3.0, 5.0])
+def test_a_flight_that_begins_in_the_middle_settles_as_one_from_the_start_does(time):
+    rms = {}
+    for name in ("feedforward+tvlqr", "kalman-lqr"):
+        envs = Heli3DOFVectorEnv(20, start_spread_deg=5.0, autoreset_mode="SameStep")
+        _, info = envs.reset(seed=0, options={"time": np.full(20, time)})
+        policy, squares = make_policy(name, REFERENCE), []
+        for _ in range(200):
+            u = policy(info["time"], info["measurement"].T)
+            *_, info = envs.step(to_action(u, (0.0, 12.0)).T)
+            squares.append((info["state"].T - REFERENCE(info["time"])[0])[0:3:2] ** 2)
+        rms[name] = np.sqrt(np.mean(squares, axis=(0, 2)))
+    assert (rms["kalman-lqr"] < 1.5 * rms["feedforward+tvlqr"]).all()
+
+
+def test_flights_that_begin_in_different_periods_are_those_of_each_alone():
+    times = np.array([0.0, 2.0, 2.5])
+    measured = np.random.default_rng(0).normal(0.0, 0.02, (8, 6, 3))
+    together = make_policy("kalman-lqr", REFERENCE)
+    voltages = [together(times + 0.02 * k, REFERENCE(times + 0.02 * k)[0] + measured[k]) for k in range(8)]
+    for i, time in enumerate(times):
+        alone = make_policy("kalman-lqr", REFERENCE)
+        for k in range(8):
+            t = time + 0.02 * k
+            assert_allclose(alone(t, REFERENCE(t)[0] + measured[k, :, i]), voltages[k][:, i], atol=1e-9)
+
+
 # As functions
 
 
@@ -225,6 +255,33 @@ def test_the_lag_aware_feedforward_leads_by_the_lag():
 def test_weights_of_another_policy_are_refused(name, weights):
     with pytest.raises(ValueError, match=f"weights = .*for '{name}'"):
         make_policy(name, REFERENCE, weights=weights)
+
+
+def test_weights_are_stored_for_a_plant_and_flown_from_there(tmp_path, monkeypatch):
+    monkeypatch.setattr(policies, "TUNED", tmp_path)
+    with pytest.raises(ValueError, match="'lqi@moon': no weights are stored"):
+        make_policy("lqi@moon", REFERENCE)
+    weights = replace(LQI, travel=12.5)
+    store_weights("lqi", "moon", weights)
+    store_weights("lag-lqr", "moon", LAG_LQR)
+    measured = REFERENCE(0.0)[0] + CORNER
+    stored, given = make_policy("lqi@moon", REFERENCE), make_policy("lqi", REFERENCE, weights=weights)
+    assert_array_equal(stored(0.0, measured), given(0.0, measured))
+    assert not np.allclose(stored(0.0, measured), make_policy("lqi", REFERENCE)(0.0, measured))
+
+
+@pytest.mark.parametrize("name", [f"{name}@{plant}" for name in WEIGHTS for plant in ("lab", "rigid")])
+def test_the_package_has_weights_of_each_for_both_plants(name):
+    assert np.isfinite(make_policy(name, REFERENCE)(0.0, REFERENCE(0.0)[0])).all()
+
+
+@pytest.mark.parametrize("name", ["kalman-lqr", "lag-lqi", "residual"])
+def test_a_policy_believes_in_the_amplifier_it_is_told_of(name):
+    policy = make_policy(name, REFERENCE, voltage_limits=(0.0, 9.0))
+    model = getattr(policy, "base", policy)
+    policy(0.0, REFERENCE(0.0)[0] + np.array([0.0, 0.0, 0.8, 0.0, 0.0, 0.0]))
+    assert model.voltage_limits == policy.voltage_limits == (0.0, 9.0)
+    assert max(map(np.max, model.memory.pending)) <= 9.0
 
 
 @pytest.mark.parametrize("name", WEIGHTS)

@@ -20,8 +20,8 @@ from baselines.residual import ResidualPolicy, load_learned  # noqa: E402
 from heli_gym.env import find_reference  # noqa: E402
 from heli_gym.vector_env import Heli3DOFVectorEnv  # noqa: E402
 from train.checkpoint import last_checkpoint, read_checkpoint, save_checkpoint  # noqa: E402
-from train.train import VALIDATION_SEED, Args, make_agent, network_of, run_folder, train  # noqa: E402
-from train.vec_env import HeliVecEnv, ResidualVecEnv, tracking_reward  # noqa: E402
+from train.train import VALIDATION_SEED, Args, check, make_agent, network_of, run_folder, score, train  # noqa: E402
+from train.vec_env import HeliVecEnv, ResidualVecEnv  # noqa: E402
 
 SHORT = find_reference("climb-7.5")
 SMALL = Args(
@@ -98,14 +98,6 @@ def test_stable_baselines_learns_on_the_plain_adapter():
     PPO("MlpPolicy", vec, n_steps=16, batch_size=32, n_epochs=1, device="cpu").learn(64)
 
 
-def test_the_reward_of_tracking_is_greatest_without_error_and_cost():
-    zero = np.zeros((2, 1)), np.zeros(1)
-    best = tracking_reward(*zero, np.ones(1))
-    assert_allclose(best, 1.0)
-    assert (tracking_reward(np.full((2, 1), 0.02), np.zeros(1), np.ones(1)) < best).all()
-    assert (tracking_reward(np.zeros((2, 1)), np.full(1, 0.1), np.ones(1)) < best).all()
-
-
 @pytest.mark.parametrize("algo", ["ppo", "sac"])
 def test_an_interrupted_run_goes_on_to_the_same_weights(tmp_path, algo):
     args = replace(SMALL, algo=algo, buffer=2000)
@@ -143,6 +135,23 @@ def test_there_is_nothing_to_go_on_from_in_an_empty_folder(tmp_path):
     assert last_checkpoint(tmp_path) is None
 
 
+def test_a_run_is_never_overwritten_and_goes_on_with_its_own_settings_only(tmp_path):
+    args, console = replace(SMALL, out=tmp_path, steps=2 * 32 * 8), Console(quiet=True)
+    folder = train(args, console)
+    before = (folder / "history.json").read_text()
+    with pytest.raises(ValueError, match=r"out: .* holds a run already; --resume"):
+        train(args, console)
+    with pytest.raises(ValueError, match=r"scale = 1\.0: the run in .* was begun with 3\.0"):
+        train(replace(args, resume=True, scale=1.0), console)
+    train(replace(args, resume=True), console)
+    assert (folder / "history.json").read_text() == before
+
+
+def test_a_network_that_crashes_early_is_not_the_best_whatever_its_errors_until_then():
+    row = {"success": 0.0, "rms_error_deg": [1.0, 1.0, 1.0], "flown": 2.0}
+    assert score(SMALL, row) < score(SMALL, {"success": 0.0, "rms_error_deg": [40.0, 10.0, 9.0], "flown": 5.0})
+
+
 @pytest.mark.parametrize(
     ("change", "name"),
     [
@@ -150,6 +159,8 @@ def test_there_is_nothing_to_go_on_from_in_an_empty_folder(tmp_path):
         ({"base": "moon"}, "base"),
         ({"seed": -1}, "seed"),
         ({"chunk": 33}, "chunk"),
+        ({"steps": 1001 * 32 * 8}, "steps = .* 1001 chunks"),  # the thousand and first would fly the next seed's draws
+        ({"seed": 2097, "envs": 512, "steps": 153 * 32 * 512}, "seed = 2097: with envs = 512 and 153 chunks"),
         ({"sees": ("moon",)}, "sees"),
         ({"plant": "moon"}, "plant"),
         ({"out": Path(__file__)}, "out"),
@@ -160,11 +171,17 @@ def test_bad_settings_are_named(tmp_path, change, name):
         train(replace(SMALL, **{"out": tmp_path, **change}), Console(quiet=True))
 
 
+def test_the_seeds_of_training_may_reach_up_to_those_of_the_validation(tmp_path):
+    chunks = VALIDATION_SEED // 512 - 2097 * 1000  # so that the last helicopter's seed is the last before
+    check(replace(SMALL, out=tmp_path, seed=2097, envs=512, steps=chunks * 32 * 512))
+    check(replace(SMALL, out=tmp_path, steps=1000 * 32 * 8))
+
+
 def test_a_history_starts_with_the_base_alone(tmp_path):
     args = replace(SMALL, out=tmp_path, steps=1)
     history = json.loads((train(args, Console(quiet=True)) / "history.json").read_text())
     envs = Heli3DOFVectorEnv(args.validation, "lab", SHORT, start_spread_deg=5.0)
-    flights = fly_many(envs, make_policy("kalman-lqr", SHORT), VALIDATION_SEED)
+    flights = fly_many(envs, make_policy("kalman-lqr@lab", SHORT), VALIDATION_SEED)
     rms = np.mean([flight_metrics(flight, SHORT, envs.voltage_limits).rms_error_deg for flight in flights], axis=0)
     assert len(history) == 2 and history[0]["steps"] == 0
     assert_allclose(history[0]["rms_error_deg"], rms, rtol=1e-12)

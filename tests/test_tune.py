@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from baselines import fly, make_policy, tune
 from baselines.metrics import flight_metrics
-from baselines.policies import WEIGHTS
+from baselines.policies import TVLQR, WEIGHTS, stored_weights
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.vector_env import Heli3DOFVectorEnv
@@ -38,7 +38,7 @@ def test_weights_are_what_their_decades_say(name):
     assert_allclose(astuple(tune.with_decades(weights, decades)), astuple(weights))
 
 
-@pytest.mark.parametrize("plant", tune.PLANTS)
+@pytest.mark.parametrize("plant", ["nominal", "lab"])
 def test_the_returns_are_those_of_single_flights(plant):
     policy = make_policy("kalman-lqr", REFERENCE)
     together = tune.returns(Heli3DOFVectorEnv(3, plant, REFERENCE, start_spread_deg=5.0), policy, 7)
@@ -65,12 +65,41 @@ def test_a_flight_that_ends_early_earns_no_more():
 def test_the_budget_is_the_same_for_all_and_what_is_in_use_is_beaten_only_by_what_is_better(name, monkeypatch, capsys):
     flown = []
 
-    def worse_and_worse(envs, policy, seed):
+    def worse_and_worse(envs, policy, seed, objective):
         flown.append(policy)
         return np.full(2, -float(len(flown)))
 
     monkeypatch.setattr(tune, "returns", worse_and_worse)
     tune.main(tune.Args(policy=name, reference="climb-7.5", draws=2, candidates=24, population=8))
-    assert len(flown) == len(tune.PLANTS) * (24 + 4)  # and the judgement: two sets of weights on two sets of draws
+    assert len(flown) == 2 * (24 + 4)  # and the judgement: two sets of weights on two sets of draws
     printed = capsys.readouterr().out
     assert all(f"{weight} = {value:.3g}\n" in printed for weight, value in vars(WEIGHTS[name]).items())
+
+
+def test_the_return_of_tracking_is_what_an_agent_that_does_nothing_earns_on_top_of_the_policy():
+    pytest.importorskip("stable_baselines3")
+    from baselines.residual import ResidualPolicy
+    from train.vec_env import ResidualVecEnv
+
+    expected = tune.returns(
+        Heli3DOFVectorEnv(2, "lab", REFERENCE), make_policy("lag-lqr", REFERENCE), 0, objective="tracking"
+    )
+    policy = ResidualPolicy(make_policy("lag-lqr", REFERENCE), REFERENCE, None, 1.0)
+    vec = ResidualVecEnv(Heli3DOFVectorEnv(2, "lab", REFERENCE, autoreset_mode="SameStep"), policy, spread=False)
+    vec.seed(0)
+    vec.reset()
+    total, over = np.zeros(2), np.zeros(2, bool)
+    while not over.all():
+        _, rewards, done, _ = vec.step(np.zeros((2, 2), np.float32))
+        total += np.where(over, 0.0, 0.02 * rewards)
+        over |= done
+    assert_allclose(total, expected, rtol=1e-5)
+
+
+def test_weights_are_stored_for_one_plant_only(tmp_path, monkeypatch):
+    with pytest.raises(ValueError, match="plants = "):
+        tune.main(tune.Args(store=True))
+    monkeypatch.setattr(tune, "returns", lambda envs, policy, seed, objective: np.zeros(2))
+    monkeypatch.setattr("baselines.policies.TUNED", tmp_path)
+    tune.main(tune.Args(plants=("rigid",), store=True, reference="climb-7.5", draws=2, candidates=8, population=8))
+    assert vars(stored_weights("feedforward+tvlqr", "rigid")).keys() == vars(TVLQR).keys()

@@ -28,7 +28,7 @@ from stable_baselines3.common.logger import configure
 from stable_baselines3.common.utils import set_random_seed
 
 from baselines.flight import fly_many
-from baselines.metrics import Metrics, flight_metrics
+from baselines.metrics import ONE, Metrics, flight_metrics
 from baselines.policies import POLICIES, make_policy
 from baselines.residual import GROUPS, Learned, Network, ResidualPolicy, save_learned
 from heli_gym.env import find_reference
@@ -37,10 +37,11 @@ from heli_gym.storage import atomic_write, check_folder
 from heli_gym.vector_env import Heli3DOFVectorEnv
 from train.asymmetric import AsymmetricPolicy
 from train.checkpoint import last_checkpoint, save_checkpoint
-from train.vec_env import ONE, ResidualVecEnv
+from train.vec_env import ResidualVecEnv
 
 START_SPREAD_DEG = 5.0
 VALIDATION_SEED = HELD_OUT_SEED // 2  # training's seeds stay below, those of evaluations above
+UNFLOWN = 100.0  # what it takes off the score of a network to fly no time at all; more than errors can save
 SCRATCH = "middle-voltage"  # the base of an agent that flies alone, from the middle of the voltages
 
 
@@ -51,7 +52,7 @@ class Args:
     algo: Literal["ppo", "sac", "td3", "tqc"] = "ppo"
     plant: str = "lab"  # that is drawn anew in every flight: lab or rigid
     mode: Literal["residual", "scratch"] = "residual"  # whether the agent corrects the base policy or flies alone
-    base: str = "kalman-lqr"  # the policy that is corrected
+    base: str = ""  # the policy that is corrected; by default "kalman-lqr@PLANT", tuned for what the agent learns too
     scale: float = 3.0  # V, the greatest correction
     sees: tuple[str, ...] = tuple(GROUPS)  # what of `baselines.residual.GROUPS` the agent is shown
     privileged: bool = True  # PPO: whether its critic sees the true errors and the draw of the plant too
@@ -82,21 +83,61 @@ def check(args: Args) -> None:
     for name in ("steps", "envs", "chunk", "rollout", "batch", "epochs", "buffer", "validation"):
         if getattr(args, name) < 1:
             raise ValueError(f"{name} = {getattr(args, name)}: at least 1 is needed")
-    if args.base not in POLICIES:
+    if base_of(args).partition("@")[0] not in POLICIES:
         raise ValueError(f"base = {args.base!r}: one of {', '.join(map(repr, POLICIES))} is needed")
     if not 0 <= args.seed < 10_000:
         raise ValueError(f"seed = {args.seed}: 0 to 9999 is needed")
     if args.chunk % args.rollout:
         raise ValueError(f"chunk = {args.chunk}: a multiple of rollout = {args.rollout} is needed")
+    # The seeds of `learn`: no chunk flies the draws of another seed's run, nor those of the validation.
+    chunks = -(-args.steps // (args.chunk * args.envs))
+    if chunks > 1000:
+        raise ValueError(
+            f"steps = {args.steps}: {chunks} chunks of {args.chunk} x {args.envs} steps, and at most 1000 "
+            "have seeds of their own; a longer chunk makes fewer"
+        )
+    if (1000 * args.seed + chunks) * args.envs > VALIDATION_SEED:
+        raise ValueError(
+            f"seed = {args.seed}: with envs = {args.envs} and {chunks} chunks, the validation's draws would be trained "
+            f"on; (1000 seed + chunks) envs <= {VALIDATION_SEED} is needed"
+        )
     check_folder("out", args.out)
+
+
+def base_of(args: Args) -> str:
+    """The name of the policy that is corrected."""
+    return args.base or f"kalman-lqr@{args.plant}"
 
 
 def run_folder(args: Args) -> Path:
     """Where the run with these settings leaves what it leaves: a folder for each plant, method and seed."""
-    method = f"{args.algo}-{args.base}" if args.mode == "residual" else f"{args.algo}-scratch"
+    method = f"{args.algo}-{base_of(args)}" if args.mode == "residual" else f"{args.algo}-scratch"
     for name in (*(group for group in GROUPS if group not in args.sees), *([] if args.privileged else ["privileged"])):
         method += f"-without-{name}"
     return args.out / args.plant / method / str(args.seed)
+
+
+def settings_of(args: Args) -> dict[str, Any]:
+    """What a run depends on, as JSON has it."""
+    ours = {name: value for name, value in asdict(args).items() if name not in ("out", "resume", "progress")}
+    return json.loads(json.dumps({**ours, "base": base_of(args)}))
+
+
+def check_begun(args: Args, folder: Path) -> bool:
+    """Whether there is a run in this folder to go on with.
+
+    Raises ValueError if there is one that is not to be gone on with, or one that was begun with other settings.
+    """
+    path = folder / "settings.json"
+    if not path.is_file():
+        return False
+    if not args.resume:
+        raise ValueError(f"out: {folder} holds a run already; --resume goes on with it")
+    begun, ours = json.loads(path.read_text()), settings_of(args)
+    for name in ours:
+        if begun.get(name) != ours[name]:
+            raise ValueError(f"{name} = {ours[name]!r}: the run in {folder} was begun with {begun.get(name)!r}")
+    return True
 
 
 # The helicopters and the agent
@@ -106,7 +147,7 @@ def correcting(args: Args, reference: Any, network: Any = None) -> ResidualPolic
     """The policy that is learnt, with a network of its own or with the agent in its place."""
     if args.mode == "scratch":
         return ResidualPolicy(make_policy(SCRATCH, reference), reference, network, 6.0, sees=args.sees)
-    return ResidualPolicy(make_policy(args.base, reference), reference, network, args.scale, sees=args.sees)
+    return ResidualPolicy(make_policy(base_of(args), reference), reference, network, args.scale, sees=args.sees)
 
 
 def make_agent(args: Args, helicopters: ResidualVecEnv) -> BaseAlgorithm:
@@ -180,7 +221,8 @@ def score(args: Args, row: dict[str, Any]) -> float:
     if args.objective == "environment":
         return row["episode_return"]
     travel, elevation = np.radians(row["rms_error_deg"][:2]) / ONE
-    return row["success"] - 0.5 * (travel + elevation)
+    unflown = 1.0 - row["flown"] / find_reference(args.reference).duration  # errors are of the time flown only
+    return row["success"] - 0.5 * (travel + elevation) - UNFLOWN * unflown
 
 
 # Training
@@ -191,6 +233,7 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     check(args)
     folder = run_folder(args)
     name = "/".join(folder.parts[-3:])
+    begun = check_begun(args, folder)
     (folder / "checkpoints").mkdir(parents=True, exist_ok=True)
     torch.set_num_threads(1)
     reference = find_reference(args.reference)
@@ -206,12 +249,12 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     agent.set_logger(configure(str(folder), ["tensorboard"]))
 
     history: list[dict[str, Any]] = []
-    checkpoint = last_checkpoint(folder / "checkpoints") if args.resume else None
+    checkpoint = last_checkpoint(folder / "checkpoints") if begun else None
     if checkpoint:
         history = restore(agent, checkpoint)
     else:
         history.append({"steps": 0, **validate(args, None, judges, VALIDATION_SEED)})
-        write_json(folder / "settings.json", {**asdict(args), "out": str(args.out)})
+        write_json(folder / "settings.json", settings_of(args))
     best_so_far = max((score(args, row) for row in history[1:]), default=-np.inf)
 
     chunks = -(-args.steps // (args.chunk * args.envs))
@@ -291,7 +334,7 @@ def restore(agent: BaseAlgorithm, state: dict[str, Any]) -> list[dict[str, Any]]
 def learned(args: Args, helicopters: ResidualVecEnv) -> Learned:
     """What is stored beside the network."""
     return Learned(
-        base=args.base if args.mode == "residual" else SCRATCH,
+        base=base_of(args) if args.mode == "residual" else SCRATCH,
         scale=helicopters.policy.scale,
         reference=args.reference,
         plant=args.plant,

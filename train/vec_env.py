@@ -8,6 +8,7 @@ from gymnasium.spaces import Box
 from gymnasium.vector import AutoresetMode
 from stable_baselines3.common.vec_env.base_vec_env import VecEnv
 
+from baselines.metrics import tracking_reward
 from baselines.policies import ModelPolicy, period
 from baselines.residual import LARGEST, ResidualPolicy
 from heli_gym.kernels import LAG, LOSS, RIG, VISCOUS
@@ -25,22 +26,22 @@ DRAWN = (
     (RIG + RigidBodyParameters._fields.index("e_h"), 0.0, 0.05),
     (RIG + RigidBodyParameters._fields.index("kappa"), 0.0225, 0.005),
 )
-ONE = np.radians([2.0, 1.0])  # errors of travel and elevation that halve the reward
 
 
 class HeliVecEnv(VecEnv):
     """The native vector environment as a Stable-Baselines3 `VecEnv`.
 
-    After a reset, the helicopters are spread evenly over the maneuver: did they all start at its start, they would
-    march in lockstep, and an update would see one part of the maneuver only. Later flights start at its start.
+    After a reset, the helicopters are spread evenly over the maneuver, unless `spread` is false: did they all start at
+    its start, they would march in lockstep, and an update would see one part of the maneuver only. Later flights start
+    at its start.
 
     Raises ValueError unless its autoreset mode is "SameStep", which is Stable-Baselines3's.
     """
 
-    def __init__(self, envs: Heli3DOFVectorEnv) -> None:
+    def __init__(self, envs: Heli3DOFVectorEnv, spread: bool = True) -> None:
         if envs.autoreset_mode is not AutoresetMode.SAME_STEP:
             raise ValueError(f"envs: the autoreset mode 'SameStep' is needed, and it is {envs.autoreset_mode.value!r}")
-        self.envs = envs
+        self.envs, self.spread = envs, spread
         self.render_mode = envs.render_mode
         self.returns, self.lengths = np.zeros(envs.num_envs), np.zeros(envs.num_envs, int)
         super().__init__(envs.num_envs, envs.single_observation_space, envs.single_action_space)
@@ -50,7 +51,8 @@ class HeliVecEnv(VecEnv):
         seed = None if self._seeds[0] is None else list(self._seeds)
         durations = np.array([reference.duration for reference in self.envs.references])
         times = durations * np.arange(self.num_envs) / self.num_envs
-        observation, self.info = self.envs.reset(seed=seed, options={"time": times})
+        options = {"time": times} if self.spread else {}
+        observation, self.info = self.envs.reset(seed=seed, options=options | self._options[0])
         self._reset_seeds()
         self._reset_options()
         self.returns[:], self.lengths[:] = 0.0, 0
@@ -136,8 +138,9 @@ class ResidualVecEnv(HeliVecEnv):
         policy: ResidualPolicy,
         objective: str = "tracking",
         privileged: bool = False,
+        spread: bool = True,
     ) -> None:
-        super().__init__(envs)
+        super().__init__(envs, spread)
         self.policy, self.objective, self.privileged = policy, objective, privileged
         self.policy.reset(np.random.default_rng(0))
         self.seen = len(self.policy.observe(0.0, self.policy.x[:, 0])[1])
@@ -212,15 +215,6 @@ class ResidualVecEnv(HeliVecEnv):
         self.policy.memory = memories[0]
         if isinstance(self.policy.base, ModelPolicy):
             self.policy.base.memory = memories[1]
-
-
-def tracking_reward(error: np.ndarray, cost: np.ndarray, rewards: np.ndarray) -> np.ndarray:
-    """One second's reward (N,) at errors (2, N) of travel and elevation in rad, and a cost (N,) per second.
-
-    With a share of the environment's rewards (N,), which also ask for pitch, rates and effort.
-    """
-    tracking = 1.0 / (1.0 + ((error / ONE[:, None]) ** 2).sum(axis=0))
-    return 0.75 * tracking + 0.25 * rewards - cost
 
 
 def replaced(old: Any, new: Any, columns: np.ndarray) -> Any:
