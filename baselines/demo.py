@@ -19,7 +19,7 @@ from scipy.linalg import block_diag, solve_discrete_are
 
 from baselines.boundary_value import FINE, KAPPA, PITCH_RESERVE, ConstrainedProblem, Solution, solve_unconstrained
 from baselines.estimation import ENCODER_NOISE, LEAST_LIFT, START_DEVIATIONS, Actuator, discretised
-from baselines.policies import KALMAN_LQR
+from baselines.policies import ObserverWeights, weights_of
 from baselines.regulation import augmented
 from baselines.report import WEB, check_page, write_page
 from baselines.residual import (
@@ -157,7 +157,6 @@ def live_data() -> dict[str, Any]:
         "axes": AXES,
         "weights": {"Q": Q.tolist(), "R": R.tolist(), "M": stationary_cost(elevation, parameters, Q, R).tolist()},
         "hover_gain": stationary_gain(elevation, parameters).tolist(),
-        "kalman": kalman_data(elevation, parameters),
         "features": {
             "tolerance": TOLERANCE,
             "state_scale": STATE_SCALE.tolist(),
@@ -167,7 +166,7 @@ def live_data() -> dict[str, Any]:
             "before": BEFORE,
             "largest": LARGEST,
         },
-        "networks": {name: stored_network(name) for name in sorted(set(NETWORK_FOR.values()))},
+        "networks": {name: stored_network(name, elevation, parameters) for name in sorted(set(NETWORK_FOR.values()))},
         "network_for": NETWORK_FOR,
         "plants": {name: plain(plant) for name, plant in PLANTS.items()},
         "rig": solve_rigid_body("A")._asdict(),
@@ -176,31 +175,34 @@ def live_data() -> dict[str, Any]:
     }
 
 
-def kalman_data(elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
-    """What the policy with a Kalman filter assumes; M is the cost of holding hover at an elevation in rad for ever."""
+def kalman_data(name: str, elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
+    """What a policy with a Kalman filter assumes; M is the cost of holding hover at an elevation in rad for ever."""
+    weights = weights_of(name)
+    assert isinstance(weights, ObserverWeights)
     hover = np.array([0.0, 0.0, elevation, 0.0, 0.0, 0.0])
     A, B = (part[None] for part in linearise(hover, hover_input(elevation, parameters), parameters))
     A, B = discretised(*augmented(A, B, Actuator().lag, integral=False), CONTROL_PERIOD)
-    Q, R = block_diag(KALMAN_LQR.Q, np.zeros((2, 2))), KALMAN_LQR.R
+    Q, R = block_diag(weights.Q, np.zeros((2, 2))), weights.R
     M = solve_discrete_are(A[0], B[0], CONTROL_PERIOD * Q, CONTROL_PERIOD * R)
     return {
         "actuator": Actuator()._asdict(),
         "weights": {"Q": Q.tolist(), "R": R.tolist(), "M": M.tolist()},
-        "noise": KALMAN_LQR.noise._asdict(),
+        "noise": weights.noise._asdict(),
         "encoder_noise": ENCODER_NOISE,
         "start_deviations": START_DEVIATIONS,
         "least_lift": LEAST_LIFT,
     }
 
 
-def stored_network(name: str) -> dict[str, Any]:
-    """A network that comes with the package: its layers as base64 of float32, row by row."""
+def stored_network(name: str, elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
+    """A network that comes with the package: what it corrects, and its layers as base64 of float32, row by row."""
     settings, network = load_learned(LEARNED / name)
 
     def packed(values: np.ndarray) -> str:
         return base64.b64encode(values.astype("<f4").tobytes()).decode()
 
     return {
+        "base": kalman_data(settings.base, elevation, parameters),
         "sees": settings.sees,
         "scale": settings.scale,
         "squashes": network.squashes,

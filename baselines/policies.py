@@ -460,6 +460,12 @@ def stored_weights(name: str, plant: str) -> Weights:
     return type(WEIGHTS[name])(**known[name])
 
 
+def weights_of(name: str) -> Weights:
+    """Those that the policy of this name flies with, "lqi" or "lqi@lab" say."""
+    kind, _, plant = name.partition("@")
+    return stored_weights(kind, plant) if plant else WEIGHTS[kind]
+
+
 def is_learned(name: str) -> bool:
     """Whether the policy of this name was learned, and so flies at the control period of its training only."""
     return name.startswith("residual") or name.endswith(".json")
@@ -491,7 +497,7 @@ def make_policy(
             known = ", ".join(map(repr, POLICIES))
             raise ValueError(f"name = {name!r}: one of {known}, or the path of a learned policy, .json, is needed")
         if weights is None and plant:
-            weights = stored_weights(kind, plant)
+            weights = weights_of(name)
         if weights is not None and type(weights) is not type(WEIGHTS.get(kind)):
             needed = type(WEIGHTS[kind]).__name__ if kind in WEIGHTS else "nothing, for it has no weights,"
             raise ValueError(f"weights = {weights!r}: {needed} is needed for {name!r}")

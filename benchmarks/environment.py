@@ -45,11 +45,14 @@ def one(env: gym.Env, steps: int = 500) -> Runner:
     return run
 
 
-def many(envs: gym.vector.VectorEnv, n: int) -> Runner:
-    """The same in a vector environment, which resets by itself."""
+def many(envs: gym.vector.VectorEnv, n: int, lockstep: bool = True) -> Runner:
+    """The same in a vector environment, which resets by itself.
+
+    Helicopters either all start at once, or spread over the maneuver, as in training: some flights end in every step.
+    """
     envs.action_space.seed(0)
     actions = [near_hover(envs.action_space.sample()) for _ in range(ACTIONS)]
-    envs.reset(seed=0)
+    envs.reset(seed=0, options=None if lockstep else {"time": np.linspace(0.0, 9.9, n)})
     rounds = max(2, 20000 // n)
 
     def run() -> int:
@@ -155,7 +158,9 @@ def table_of_many(n: int, seconds: float) -> list[str]:
         runners["Pendulum-v1, SyncVectorEnv"] = many(gym.make_vec("Pendulum-v1", n, "sync"), n)
     runners |= peers_of_many(n)
     for plant, dtype in (("nominal", "float64"), ("nominal", "float32"), ("lab", "float64"), ("rigid", "float64")):
-        runners[f"{HELI} {plant}, {dtype}"] = many(gym.make_vec(HELI, n, plant=plant, dtype=dtype), n)
+        for lockstep in (True, False):
+            name = f"{HELI} {plant}, {dtype}" + ("" if lockstep else ", spread over the maneuver")
+            runners[name] = many(gym.make_vec(HELI, n, plant=plant, dtype=dtype), n, lockstep)
     found = rates(runners, seconds)
     acrobot = found.get("Acrobot-v1, EnvPool, 1 thread", math.nan)
     lines = [

@@ -19,6 +19,7 @@ from heli_gym.kernels import (
     FLYING,
     LAST,
     MEASURED,
+    MISSED,
     NOT_FINITE,
     OBSERVED,
     STEP,
@@ -276,10 +277,10 @@ class Heli3DOFEnv(gym.Env):
         }
         if over != FLYING:
             self.over = True
-            info["is_success"] = over == ARRIVED and bool(task.succeeded(self.simulation.errors(ONLY)[:, 0]))
+            info["is_success"] = over == ARRIVED
         if self.render_mode == "human":
             self.render()
-        return observation, reward, over == CRASHED, over == ARRIVED, info
+        return observation, reward, over == CRASHED, over >= MISSED, info
 
     @property
     def reference(self) -> Trajectory:

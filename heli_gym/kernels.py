@@ -23,36 +23,37 @@ from heli_gym.model import dynamics, moved, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.plant import encoded, hindered
 from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
-from heli_gym.task import FEATURES, cost, crashed, reward, to_voltage
+from heli_gym.task import FEATURES, cost, crashed, reward, succeeded, to_voltage
 
 LANES = 128
 ROW = LANES + 8  # numbers from one row to the next; were it a power of two, rows would fight for places in the cache
 NOT_NEGATIVE = 2**40 - 1  # a mask that tells the compiler so, that it need not think of places counted from the end
 
-# Rows of a block. What a step tells of a helicopter: (44), V, the last reward and cost, flags, time on its reference:
-X, ASKED, REWARD, COST, TERMINATED, TRUNCATED, TIME = 0, 6, 8, 9, 10, 11, 12
+# Rows of a block. What a step tells of a helicopter: (44), V, the last reward and cost, how the flight ends, if it
+# does, and the time on its reference:
+X, ASKED, REWARD, COST, TERMINATED, TRUNCATED, SUCCEEDED, TIME = 0, 6, 8, 9, 10, 11, 12, 13
 PITCH = X + 4
-MEASURED = 13  # (44), where sensors are not exact
-TOLD, TOLD_AND_MEASURED = 13, 19  # rows
+MEASURED = 14  # (44), where sensors are not exact
+TOLD, TOLD_AND_MEASURED = 14, 20  # rows
 # what it remembers besides: voltages in V, the present and the last step of its reference and the first of its rows in
 # the table, a number in [0, 1), and u_min, u_max, pitch_min, pitch_max of its reference:
-MOTOR, ROTOR, STEP, LAST, TABLE, KEY, LIMITS, PITCH_LIMITS = 19, 21, 23, 24, 25, 26, 27, 29
+MOTOR, ROTOR, STEP, LAST, TABLE, KEY, LIMITS, PITCH_LIMITS = 20, 22, 24, 25, 26, 27, 28, 30
 # what it is, in the order of `simulation.numbers`:
-NUMBERS = PARAMETERS = 31
-RIG, RIG_REST, LAG, LOSS, SLEW, DELAY, VISCOUS, COULOMB = 39, 47, 50, 51, 52, 53, 54, 57
-COUNTS, NOISE, RATE_FILTER = 60, 63, 64
+NUMBERS = PARAMETERS = 32
+RIG, RIG_REST, LAG, LOSS, SLEW, DELAY, VISCOUS, COULOMB = 40, 48, 51, 52, 53, 54, 55, 58
+COUNTS, NOISE, RATE_FILTER = 61, 64, 65
 # what follows from that and from the control period, and is kept for speed:
-LAG_KEPT, RATE_KEPT = 65, 66
+LAG_KEPT, RATE_KEPT = 66, 67
 # what is passed on within a step: what the disturbances amount to, the reference's state and nominal voltages, the
 # voltage that arrives at a motor, and noise on the angles:
-TORQUES, A2_CHANGE, EFFECT, REFERENCE, NOMINAL, ARRIVING, ON_ANGLES = 67, 70, 71, 73, 79, 81, 82
+TORQUES, A2_CHANGE, EFFECT, REFERENCE, NOMINAL, ARRIVING, ON_ANGLES = 68, 71, 72, 74, 80, 82, 83
 # its disturbances, DISTURBANCE rows each, and after the last one the voltages still delayed, the oldest first:
-DISTURBANCES, DISTURBANCE = 85, 8
+DISTURBANCES, DISTURBANCE = 86, 8
 KIND, CHANNEL, AMOUNT, BEGIN, DURATION, CORRELATION, KEPT, GUST = range(8)
 PUSH, WANDER, SLIDE = range(3)
 
 OBSERVED = 8 + FEATURES  # numbers of an observation
-NOT_FINITE, FLYING, CRASHED, ARRIVED = -1, 0, 1, 2  # how a step of one helicopter ends
+NOT_FINITE, FLYING, CRASHED, MISSED, ARRIVED = -1, 0, 1, 2, 3  # how a step of one helicopter ends
 # The uniform numbers that a start is made of: for the three angles, the time, the key; then those of the plant.
 START_ANGLES, START_TIME, START_KEY, START_PLANT = 0, 3, 4, 5
 
@@ -348,12 +349,14 @@ def judge(block: Any, n: int, s: Settings) -> None:
         x_ref, (nominal_f, nominal_b) = six(block, REFERENCE, i), two(block, NOMINAL, i)
         limits = Window(*two(block, LIMITS, i), *two(block, PITCH_LIMITS, i))
         step, last = block[STEP * ROW + i], block[LAST * ROW + i]
-        earned = s.period * reward(moved(x, -1.0, x_ref), (u_f - nominal_f, u_b - nominal_b))
+        error = moved(x, -1.0, x_ref)
+        earned = s.period * reward(error, (u_f - nominal_f, u_b - nominal_b))
         spent = s.period * cost(x[4], (u_f, u_b), limits)
         terminated = 1.0 if crashed(x[4], s.pitch_limit) else 0.0
         truncated = 1.0 - terminated if step == last else 0.0
         put_two(block, REWARD, i, (earned, spent))
         put_two(block, TERMINATED, i, (terminated, truncated))
+        block[SUCCEEDED * ROW + i] = truncated if succeeded(error) else 0.0
 
 
 def control_step(block: Any, n: int, s: Settings, table: Any) -> None:
@@ -567,7 +570,7 @@ def step_one(memory: Any, front: Any, back: Any, observation: Any, told: Any) ->
     if s.is_sensed == 0.0:
         for k in range(6):
             told[MEASURED + k] = told[X + k]
-    over = int(block[TERMINATED * ROW] + 2.0 * block[TRUNCATED * ROW])
+    over = int(CRASHED * block[TERMINATED * ROW] + MISSED * block[TRUNCATED * ROW] + block[SUCCEEDED * ROW])
     return block[TIME * ROW], block[REWARD * ROW], block[COST * ROW], over
 
 

@@ -21,14 +21,12 @@ from heli_gym.kernels import (
     SETTINGS,
     SLIDE,
     START_PLANT,
-    STEP,
     TABLE,
     TOLD,
     TOLD_AND_MEASURED,
     WANDER,
     Ranges,
     Settings,
-    X,
 )
 from heli_gym.plant import AXES, ROTORS, Gust, MovingMass, Plant, Push, RotorFault, Rotors
 from heli_gym.rigid_body import RigidBodyParameters
@@ -158,6 +156,7 @@ class Simulation:
         self.initial = np.zeros((rows, len(plants)))  # of the blocks, at the start of a flight, but for what is drawn
         self.size = rows * ROW
         self.actions: np.ndarray = np.zeros((len(plants), 2), dtype)
+        self.no_states, self.no_steps = np.empty((len(plants), 0)), np.full(len(plants), -1.0)
         self.references: list[Trajectory | None] = [None] * len(plants)  # of the present flights
         self.drawn: dict[int, Trajectory] = {}  # those of the next flights, where they are not always the same
         self.shown: list[tuple[Any, Shown]] = []  # by each source
@@ -262,14 +261,13 @@ class Simulation:
 
         From states (N, 6) and at times (N,) of their references in s, or from where and when the numbers drawn say.
         """
-        n = len(self.plants)
         for j in helicopters.tolist() if self.drawn else ():
             if j in self.drawn:
                 reference, first = self.drawn.pop(j), int(self.initial[TABLE, j])
                 self._follow(j, reference)
                 features = reference_features(reference, self.control_period).T
                 self.table[first : first + len(features)] = features
-        steps = np.full(n, -1.0)
+        steps = self.no_steps
         if times is not None:
             steps = np.clip(np.round(times / self.control_period), 0.0, self.initial[LAST] - 1.0)
         self.kernels.begin(
@@ -280,7 +278,7 @@ class Simulation:
             self.ranges,
             helicopters,
             self.uniforms,
-            np.empty((n, 0)) if states is None else states,
+            self.no_states if states is None else states,
             steps,
         )
 
@@ -311,13 +309,6 @@ class Simulation:
         self.actions[:] = actions
         over = self.kernels.step(self.blocks, self.settings, self.flat_table, self.actions, observation, told)
         return over, observation, told
-
-    def errors(self, helicopters: np.ndarray) -> np.ndarray:
-        """Tracking errors (6, n) of the true states of these helicopters (n,), now."""
-        block, lane = np.divmod(helicopters, LANES)
-        rows = self.blocks.reshape(-1, self.size // ROW, ROW)
-        place = (rows[block, TABLE, lane] + rows[block, STEP, lane]).astype(int)
-        return rows[block, X : X + 6, lane].T - self.table[place, :6].T
 
     def rows(self, first: int, count: int) -> np.ndarray:
         """These rows of all helicopters, (count, N)."""

@@ -70,7 +70,10 @@ def crashed(pitch: Any, pitch_limit: float) -> Any:
 
 def succeeded(error: Any) -> Any:
     """Whether a tracking error (6, ...) at the end of the maneuver is within the tolerances on every axis."""
-    return np.all([abs(e) <= tolerance for e, tolerance in zip(error, TOLERANCE)], axis=0)
+    e1, e2, e3, e4, e5, e6 = error
+    t1, t2, t3, t4, t5, t6 = TOLERANCE
+    first = (abs(e1) <= t1) & (abs(e2) <= t2) & (abs(e3) <= t3)
+    return first & (abs(e4) <= t4) & (abs(e5) <= t5) & (abs(e6) <= t6)
 
 
 def control_steps(duration: float, control_period: float) -> int:

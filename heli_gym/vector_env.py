@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from heli_gym import task
 from heli_gym.env import Heli3DOFEnv, find_reference, scene_of
-from heli_gym.kernels import ASKED, COST, MEASURED, NOT_FINITE, REWARD, TERMINATED, TIME, TRUNCATED, X
+from heli_gym.kernels import ASKED, COST, MEASURED, NOT_FINITE, REWARD, SUCCEEDED, TERMINATED, TIME, TRUNCATED, X
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer
@@ -194,7 +194,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         info["_voltage"] = info["_cost"] = flown
         self.is_waiting = count > 0 and bool(self.over.any())
         if self.is_waiting:
-            self._end(info, observation, told, truncated)
+            self._end(info, observation, told)
         return observation, rewards, terminated, truncated, info
 
     def reference_of(self, i: int) -> Trajectory:
@@ -273,11 +273,10 @@ class Heli3DOFVectorEnv(VectorEnv):
             "_time": mask,
         }
 
-    def _end(self, info: dict[str, Any], observation: np.ndarray, told: np.ndarray, truncated: np.ndarray) -> None:
+    def _end(self, info: dict[str, Any], observation: np.ndarray, told: np.ndarray) -> None:
         """Tells of flights that are over, and starts the next ones where that is the mode."""
         over, ended = self.over.copy(), np.flatnonzero(self.over)
-        info["is_success"], info["_is_success"] = np.zeros(self.num_envs, bool), over
-        info["is_success"][ended] = truncated[ended] & task.succeeded(self.simulation.errors(ended))
+        info["is_success"], info["_is_success"] = told[SUCCEEDED] > 0.0, over
         if self.autoreset_mode is not AutoresetMode.SAME_STEP:
             return
         final: dict[str, Any] = {}

@@ -571,7 +571,7 @@ def test_the_observations_of_random_maneuvers_are_within_the_space(seed):
         u = policy(info["time"], info["measurement"])
         observation, _, terminated, over, info = env.step(u / 6.0 - 1.0)
         assert not terminated
-    assert np.abs(env.simulation.errors(np.zeros(1, int))[::2]).max() < 1e-2  # the nominal plant follows them
+    assert np.abs(info["state"] - env.reference.x[:, -1])[::2].max() < 1e-2  # the nominal plant follows them
 
 
 class Drawn:

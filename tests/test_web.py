@@ -138,7 +138,7 @@ def test_a_flight_with_a_filter_whose_gains_the_browser_computes_is_that_of_pyth
     env = Heli3DOFEnv(DRAWS[plant], control_period=PERIOD)
     reference = env.reference
     network = "rigid" if plant.startswith("rigid") else "lab"
-    in_python = "residual-rigid" if (policy, network) == ("residual", "rigid") else policy
+    in_python = f"kalman-lqr@{network}" if policy == "kalman-lqr" else {"lab": policy}.get(network, "residual-rigid")
     flight = fly(env, make_policy(in_python, reference, PERIOD), seed=0, options={"state": START})
     x, u = reference(0.5 * PERIOD * np.arange(round(2.0 * reference.duration / PERIOD) + 1))
     controls = {
@@ -157,7 +157,7 @@ def test_a_flight_with_a_filter_whose_gains_the_browser_computes_is_that_of_pyth
 def test_the_network_of_a_plant_in_the_browser_is_that_of_python(live, plant):
     settings, network = load_learned(LEARNED / live["network_for"][plant])
     assert settings.plant == plant or plant == "nominal"
-    assert (settings.base, settings.control_period) == ("kalman-lqr", PERIOD)
+    assert (settings.base, settings.control_period) == (f"kalman-lqr@{settings.plant}", PERIOD)
     features = np.random.default_rng(0).normal(size=(20, settings.features))
     stored = live["networks"][settings.plant]
     found = in_node(

@@ -6,6 +6,7 @@ import type { Plan } from "./plan";
 import {
   type Controller,
   KalmanController,
+  type KalmanGains,
   type KalmanSettings,
   type Task,
   type Tracking,
@@ -25,11 +26,10 @@ export interface ControlData {
   control_period: number; // s
   weights: Weights;
   hover_gain: Matrix;
-  kalman: KalmanSettings;
   features: FeatureSettings;
 }
 
-/** A controller for one flight; only those that learned look at the network. */
+/** A controller for one flight; the network is looked at for itself, and for what it corrects. */
 export type Maker = (network: Network) => Controller;
 
 /** Every policy along a plan that is sampled at half the control period. Gains are computed when they are first flown. */
@@ -38,15 +38,19 @@ export function controllersAlong(plan: Plan, pitchLimits: Pair, data: ControlDat
   const reference = controlGrid(plan);
   const task: Task = { reference, pitchLimits, amplifier, period, parameters };
   const tvlqr = once(() => riccatiGains(plan, data.weights, parameters));
-  const kalman = once(() => kalmanLqrGains(reference, data.kalman, period, parameters));
+  const known = new Map<KalmanSettings, KalmanGains>();
+  const gainsOf = (base: KalmanSettings): KalmanGains => {
+    if (!known.has(base)) known.set(base, kalmanLqrGains(reference, base, period, parameters));
+    return known.get(base)!;
+  };
   const tracking = (values: Tracking) => trackingController(values, parameters);
-  const filtering = () => new KalmanController(task, kalman(), data.kalman);
+  const filtering = ({ base }: Network) => new KalmanController(task, gainsOf(base), base);
   return {
     "feedforward+tvlqr": () => tracking(feedforward(reference, tvlqr(), parameters)),
     "open-loop": () => tracking(feedforward(reference, null, parameters)),
     "hover-lqr": () => tracking(hoverTracking(reference, data.hover_gain, parameters)),
     "kalman-lqr": filtering,
-    residual: (network) => new ResidualController(filtering(), network, data.features),
+    residual: (network) => new ResidualController(filtering(network), network, data.features),
   };
 }
 

@@ -2,7 +2,7 @@
 
 import { type Matrix, applied, minus } from "./matrices";
 import { type Pair, clip } from "./model";
-import type { Controller, KalmanController } from "./policies";
+import type { Controller, KalmanController, KalmanSettings } from "./policies";
 
 /** How what the network sees is scaled. */
 export interface FeatureSettings {
@@ -15,8 +15,9 @@ export interface FeatureSettings {
   largest: number; // what features are clipped to
 }
 
-/** A stored network: its layers as base64 of float32, row by row. */
+/** A stored network: what it corrects, and its layers as base64 of float32, row by row. */
 export interface StoredNetwork {
+  base: KalmanSettings;
   sees: string[]; // which groups of features
   scale: number; // V, the greatest correction
   squashes: boolean; // whether the tanh of the last layer is taken too
