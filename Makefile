@@ -9,6 +9,8 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 SEEDS := 0 1 2 3 4 5 6 7 8 9
+TUNED := feedforward+tvlqr lqi lag-lqr lag-lqi kalman-lqr
+TRAIN = $(BIN)/heli-train --out out/train --resume
 
 .PHONY: demo test lint reproduce clean
 
@@ -24,10 +26,19 @@ lint: $(VENV)/dev
 	$(BIN)/mypy
 
 reproduce: $(VENV)/dev
-	@echo "twenty training runs of about three minutes each on an idle core, then the tables: an hour or two"
+	@echo "ten searches for weights, 26 training runs, two tables: some two hours on an idle core; may be interrupted"
 	for plant in lab rigid; do \
-	  for seed in $(SEEDS); do $(BIN)/heli-train --plant $$plant --seed $$seed --out out/train --resume || exit 1; done; \
-	  $(BIN)/python -m train.results --plant $$plant --methods out/train/$$plant/* --out out/results || exit 1; \
+	  for policy in $(TUNED); do \
+	    $(BIN)/python -m baselines.tune --policy $$policy --plants $$plant --objective tracking \
+	      --candidates 200 --population 20 --store || exit 1; \
+	  done; \
+	  for seed in $(SEEDS); do $(TRAIN) --plant $$plant --seed $$seed || exit 1; done; \
+	done
+	for seed in 0 1 2; do \
+	  $(TRAIN) --mode scratch --seed $$seed && $(TRAIN) --base feedforward+tvlqr --seed $$seed || exit 1; \
+	done
+	for plant in lab rigid; do \
+	  $(BIN)/python -m train.results --plant $$plant --methods out/train/$$plant/* --oracle 20 --out out/results || exit 1; \
 	done
 
 clean:

@@ -60,7 +60,13 @@ def test_the_probability_of_improvement_is_that_of_a_smaller_value():
 
 
 def test_every_policy_flies_the_same_draws_and_the_table_says_what_they_did(tmp_path):
-    args = Args(policies=("feedforward+tvlqr", "kalman-lqr"), reference="climb-7.5", episodes=6, out=tmp_path)
+    args = Args(
+        policies=("feedforward+tvlqr", "kalman-lqr"),
+        against="feedforward+tvlqr",
+        reference="climb-7.5",
+        episodes=6,
+        out=tmp_path,
+    )
     found = compare(args, Console(quiet=True))
     assert {name: values.shape for name, values in found.items()} == {
         "feedforward+tvlqr": (len(results.METRICS), 1, 6),
@@ -97,7 +103,7 @@ def test_a_method_is_flown_once_for_each_of_its_seeds(tmp_path):
         ({"oracle": -1}, "oracle"),
         ({"plant": "x"}, "plant"),
         ({"plant": "nominal", "oracle": 1}, "plant: the lag"),
-        ({"policies": ("feedforward+tvlqr", "foo")}, "name = 'foo'"),
+        ({"policies": ("feedforward+tvlqr@PLANT", "foo")}, "name = 'foo'"),
     ],
 )
 def test_bad_settings_are_named_before_anything_is_flown(tmp_path, monkeypatch, change, name):
@@ -107,7 +113,14 @@ def test_bad_settings_are_named_before_anything_is_flown(tmp_path, monkeypatch, 
 
 
 def test_a_draw_without_optimum_is_left_out_of_the_oracles_row_and_no_other(tmp_path, monkeypatch, capsys):
-    args = Args(policies=("feedforward+tvlqr",), reference="climb-7.5", episodes=4, oracle=3, out=tmp_path)
+    args = Args(
+        policies=("feedforward+tvlqr",),
+        against="feedforward+tvlqr",
+        reference="climb-7.5",
+        episodes=4,
+        oracle=3,
+        out=tmp_path,
+    )
     asked = []
 
     def policy(self, plant, x, u, control_period):
@@ -135,7 +148,14 @@ def test_without_any_optimum_the_oracle_has_no_row(tmp_path, monkeypatch):
         raise NoOptimum("none")
 
     monkeypatch.setattr(Oracle, "policy", policy)
-    args = Args(policies=("feedforward+tvlqr",), reference="climb-7.5", episodes=2, oracle=1, out=tmp_path)
+    args = Args(
+        policies=("feedforward+tvlqr",),
+        against="feedforward+tvlqr",
+        reference="climb-7.5",
+        episodes=2,
+        oracle=1,
+        out=tmp_path,
+    )
     assert set(compare(args, Console(quiet=True))) == {"feedforward+tvlqr"}
 
 

@@ -21,7 +21,7 @@ from scipy.stats import trim_mean
 
 from baselines.flight import fly, fly_many
 from baselines.metrics import flight_metrics
-from baselines.policies import Policy, make_policy
+from baselines.policies import TUNED, Policy, make_policy
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
@@ -41,13 +41,36 @@ class Args:
 
     plant: str = "lab"
     methods: tuple[Path, ...] = ()  # folders of what heli-train left, with a folder for each seed in them
-    policies: tuple[str, ...] = ("feedforward+tvlqr", "lqi", "lag-lqr", "lag-lqi", "kalman-lqr")
-    against: str = "feedforward+tvlqr"  # which of them the others are compared with
+    policies: tuple[str, ...] = (
+        "feedforward+tvlqr",
+        "feedforward+tvlqr@PLANT",
+        "lqi@PLANT",
+        "lag-lqr@PLANT",
+        "lag-lqi@PLANT",
+        "kalman-lqr",
+        "kalman-lqr@PLANT",
+    )  # @PLANT: with the weights that are tuned on the plant, if there are any
+    against: str = "feedforward+tvlqr@PLANT"  # which of them the others are compared with
     reference: str = "travel-360"
     episodes: int = 100  # draws
     seed: int = HELD_OUT_SEED  # of the first; the others count on
     oracle: int = 0  # of these draws, the first so many, for which the floor is found too: 3 s each on lab, 40 on rigid
     out: Path = Path("out/results")
+
+
+def policies(args: Args) -> tuple[str, ...]:
+    """The names of the classical policies."""
+    return tuple(dict.fromkeys(tuned_for(args.plant, name) for name in args.policies))
+
+
+def against(args: Args) -> str:
+    """The name of the one that the others are compared with."""
+    return tuned_for(args.plant, args.against)
+
+
+def tuned_for(plant: str, name: str) -> str:
+    """The name with the plant in it, or without, where no weights are stored for that plant."""
+    return name.replace("@PLANT", f"@{plant}" if (TUNED / f"{plant}.json").is_file() else "")
 
 
 def measured(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> np.ndarray:
@@ -126,10 +149,10 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         raise ValueError(f"episodes = {args.episodes}: at least 2 are needed")
     if not 0 <= args.oracle <= args.episodes:
         raise ValueError(f"oracle = {args.oracle}: 0 to episodes = {args.episodes} is needed")
-    if args.against not in args.policies:
-        raise ValueError(f"against = {args.against!r}: one of policies = {args.policies} is needed")
+    if against(args) not in policies(args):
+        raise ValueError(f"against = {args.against!r}: one of policies = {policies(args)} is needed")
     envs = Heli3DOFVectorEnv(args.episodes, args.plant, args.reference, start_spread_deg=START_SPREAD_DEG)
-    names = {name: [name] for name in args.policies}
+    names = {name: [name] for name in policies(args)}
     for method in args.methods:
         found = sorted(method.glob("*/best.json"), key=lambda path: path.parent.name)
         if not found:
@@ -167,7 +190,7 @@ def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[st
     for name in ("RMS travel (deg)", "RMS elevation (deg)", "cost (s)"):
         table.add_column(name, justify="right")
     for name in SHOWN[:2]:
-        table.add_column(f"{name}: less than {args.against}", justify="right")
+        table.add_column(f"{name}: less than {against(args)}", justify="right")
     table.add_column("crashes", justify="right")
     table.add_column("success", justify="right")
     rows: dict[str, dict] = {}
@@ -177,7 +200,7 @@ def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[st
         row: dict = {name: mean_with_interval(values[METRICS.index(name)]) for name in SHOWN}
         for name in SHOWN[:2]:
             k = METRICS.index(name)
-            row[f"{name} improvement"] = improvement(values[k], results[args.against][k][:, draws])
+            row[f"{name} improvement"] = improvement(values[k], results[against(args)][k][:, draws])
         row["crashes"], row["success"] = (float(values[METRICS.index(name)].mean()) for name in ("crashed", "success"))
         row["seeds"], row["draws"] = values.shape[1:]
         rows[label] = row
