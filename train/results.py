@@ -224,16 +224,19 @@ def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[st
 
 def draw_profiles(path: Path, args: Args, results: dict[str, np.ndarray]) -> None:
     """Which share of the flights has at most which error."""
-    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained", sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(10.5, 3.8), layout="constrained", sharey=True)
+    colours = plt.get_cmap("turbo")(np.linspace(0.0, 0.95, len(results)))
     for axis, name in zip(axes, SHOWN[:2]):
-        for label, values in results.items():
+        for colour, (label, values) in zip(colours, results.items()):
             errors = np.sort(values[METRICS.index(name)][:, flown(values)].ravel())
-            axis.step(errors, np.arange(1, len(errors) + 1) / len(errors), where="post", label=label)
+            style = {"lw": 2.5} if label == "residual" else {"lw": 1.2}
+            shares = np.arange(1, len(errors) + 1) / len(errors)
+            axis.step(errors, shares, where="post", label=label, color=colour, **style)
         axis.set_xlabel(f"RMS error of {name} (deg)")
         axis.set_xscale("log")
         axis.grid(alpha=0.3, which="both")
     axes[0].set_ylabel("share of flights below")
-    axes[1].legend(fontsize=8)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside right center", fontsize=8)
     figure.suptitle(f"{args.episodes} held-out draws of {args.plant}")
     with atomic_write(path) as file:
         figure.savefig(file, format="png", dpi=130)
