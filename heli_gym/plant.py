@@ -236,6 +236,10 @@ class Plant:
     sensors: Sensors | None = None  # without any, the state itself is measured
     disturbances: tuple[Disturbance, ...] = ()
 
+    def __deepcopy__(self, memo: dict) -> "Plant":
+        """Itself, for it never changes: Stable-Baselines3 copies every info, in which it is."""
+        return self
+
     @cached_property
     def alternatives(self) -> list["Plant"]:
         """The plants, with ranges but without options, of which every episode draws one."""

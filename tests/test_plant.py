@@ -1,3 +1,4 @@
+import copy
 import math
 from types import SimpleNamespace
 
@@ -314,3 +315,7 @@ def test_whatever_may_be_a_range_is_drawn_and_flown():
         env.step(np.array([0.3, 0.3], np.float32))
     assert len({draw.parameters.b1 for draw in draws}) == 5
     assert all(-0.7 <= draw.parameters.b1 <= -0.6 and not list(ranges(draw)) for draw in draws)
+
+
+def test_a_copy_of_a_plant_is_the_plant_itself():
+    assert copy.deepcopy({"plant": PLANTS["lab"]})["plant"] is PLANTS["lab"]
