@@ -19,7 +19,6 @@ from scipy.linalg import block_diag, solve_discrete_are
 
 from baselines.boundary_value import FINE, KAPPA, PITCH_RESERVE, ConstrainedProblem, Solution, solve_unconstrained
 from baselines.estimation import ENCODER_NOISE, LEAST_LIFT, START_DEVIATIONS, Actuator, discretised
-from baselines.policies import ObserverWeights, weights_of
 from baselines.regulation import augmented
 from baselines.report import WEB, check_page, write_page
 from baselines.residual import (
@@ -33,6 +32,7 @@ from baselines.residual import (
     load_learned,
 )
 from baselines.tvlqr import Q, R, stationary_cost, stationary_gain
+from baselines.weights import ObserverWeights, weights_of
 from heli_gym.model import hover_input, linearise
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters, Limits
 from heli_gym.plant import AXES, PLANTS

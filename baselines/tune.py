@@ -21,8 +21,9 @@ from scipy.optimize import differential_evolution
 from scipy.stats.qmc import LatinHypercube, scale
 
 from baselines.metrics import tracking_reward
-from baselines.policies import WEIGHTS, Policy, make_policy, store_weights
+from baselines.policies import Policy, make_policy
 from baselines.regulation import Weights
+from baselines.weights import WEIGHTS, store_weights
 from heli_gym.env import find_reference
 from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv

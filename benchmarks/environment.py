@@ -15,6 +15,7 @@ import statistics
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 
@@ -53,6 +54,11 @@ def many(envs: gym.vector.VectorEnv, n: int, lockstep: bool = True) -> Runner:
     envs.action_space.seed(0)
     actions = [near_hover(envs.action_space.sample()) for _ in range(ACTIONS)]
     envs.reset(seed=0, options=None if lockstep else {"time": np.linspace(0.0, 9.9, n)})
+    return stepping(envs, actions, n)
+
+
+def stepping(envs: Any, actions: list, n: int) -> Runner:
+    """Steps n environments at once, through the actions in turn."""
     rounds = max(2, 20000 // n)
 
     def run() -> int:
@@ -82,14 +88,7 @@ def envpool_runner(name: str, n: int) -> Runner:
         else rng.integers(0, 2, n).astype(np.int32)
         for _ in range(ACTIONS)
     ]
-    rounds = max(2, 20000 // n)
-
-    def run() -> int:
-        for k in range(rounds):
-            envs.step(actions[k % ACTIONS])
-        return rounds * n
-
-    return run
+    return stepping(envs, actions, n)
 
 
 def gymnax_runner(name: str, n: int) -> Runner:

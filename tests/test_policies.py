@@ -10,10 +10,11 @@ import pytest
 from independent import TABLE_I, hover, inputs
 from numpy.testing import assert_allclose, assert_array_equal
 
-from baselines import POLICIES, fly, make_policy, policies, riccati_gains
+from baselines import POLICIES, fly, make_policy, riccati_gains
 from baselines.estimation import IDEAL, Actuator
 from baselines.metrics import flight_metrics
-from baselines.policies import LAG_LQR, LQI, TVLQR, WEIGHTS, kalman_lqr, lag_lqi, lag_lqr, store_weights
+from baselines.policies import kalman_lqr, lag_lqi, lag_lqr
+from baselines.weights import LAG_LQR, LQI, TVLQR, WEIGHTS, store_weights
 from heli_gym import HelicopterParameters
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import Plant, Push, Rotors
@@ -258,7 +259,7 @@ def test_weights_of_another_policy_are_refused(name, weights):
 
 
 def test_weights_are_stored_for_a_plant_and_flown_from_there(tmp_path, monkeypatch):
-    monkeypatch.setattr(policies, "TUNED", tmp_path)
+    monkeypatch.setattr("baselines.weights.TUNED", tmp_path)
     with pytest.raises(ValueError, match="'lqi@moon': no weights are stored"):
         make_policy("lqi@moon", REFERENCE)
     weights = replace(LQI, travel=12.5)

@@ -9,8 +9,8 @@ from numpy.testing import assert_allclose
 from scipy.linalg import expm, solve_discrete_are
 
 from baselines import riccati_gains
-from baselines.policies import LAG_LQI, LAG_LQR, LQI, TVLQR
 from baselines.regulation import IntegralWeights, augmented, regulator_gains
+from baselines.weights import LAG_LQI, LAG_LQR, LQI, TVLQR
 from heli_gym import HelicopterParameters, thrust
 from heli_gym.env import find_reference
 from heli_gym.model import hover_input, virtual_input

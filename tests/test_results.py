@@ -1,4 +1,5 @@
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,7 @@ from train import results
 from train.oracle import EFFORT, NoOptimum, Oracle
 from train.results import Args, compare, improvement, interquartile_mean, mean_with_interval, table_of
 
+SMALL = Args(policies=("feedforward+tvlqr",), against="feedforward+tvlqr", reference="climb-7.5")
 RESULTS = Path(__file__).parents[1] / "results"
 
 
@@ -113,14 +115,7 @@ def test_bad_settings_are_named_before_anything_is_flown(tmp_path, monkeypatch, 
 
 
 def test_a_draw_without_optimum_is_left_out_of_the_oracles_row_and_no_other(tmp_path, monkeypatch, capsys):
-    args = Args(
-        policies=("feedforward+tvlqr",),
-        against="feedforward+tvlqr",
-        reference="climb-7.5",
-        episodes=4,
-        oracle=3,
-        out=tmp_path,
-    )
+    args = replace(SMALL, episodes=4, oracle=3, out=tmp_path)
     asked = []
 
     def policy(self, plant, x, u, control_period):
@@ -148,14 +143,7 @@ def test_without_any_optimum_the_oracle_has_no_row(tmp_path, monkeypatch):
         raise NoOptimum("none")
 
     monkeypatch.setattr(Oracle, "policy", policy)
-    args = Args(
-        policies=("feedforward+tvlqr",),
-        against="feedforward+tvlqr",
-        reference="climb-7.5",
-        episodes=2,
-        oracle=1,
-        out=tmp_path,
-    )
+    args = replace(SMALL, episodes=2, oracle=1, out=tmp_path)
     assert set(compare(args, Console(quiet=True))) == {"feedforward+tvlqr"}
 
 

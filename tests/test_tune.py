@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from baselines import fly, make_policy, tune
 from baselines.metrics import flight_metrics
-from baselines.policies import TVLQR, WEIGHTS, stored_weights
+from baselines.weights import TVLQR, WEIGHTS, stored_weights
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.vector_env import Heli3DOFVectorEnv
@@ -100,6 +100,6 @@ def test_weights_are_stored_for_one_plant_only(tmp_path, monkeypatch):
     with pytest.raises(ValueError, match="plants = "):
         tune.main(tune.Args(store=True))
     monkeypatch.setattr(tune, "returns", lambda envs, policy, seed, objective: np.zeros(2))
-    monkeypatch.setattr("baselines.policies.TUNED", tmp_path)
+    monkeypatch.setattr("baselines.weights.TUNED", tmp_path)
     tune.main(tune.Args(plants=("rigid",), store=True, reference="climb-7.5", draws=2, candidates=8, population=8))
     assert vars(stored_weights("feedforward+tvlqr", "rigid")).keys() == vars(TVLQR).keys()

@@ -21,7 +21,8 @@ from scipy.stats import trim_mean
 
 from baselines.flight import fly, fly_many
 from baselines.metrics import flight_metrics
-from baselines.policies import TUNED, Policy, make_policy
+from baselines.policies import Policy, make_policy
+from baselines.weights import TUNED
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
