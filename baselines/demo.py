@@ -15,11 +15,11 @@ import tyro
 from rich.console import Console
 from rich.progress import track
 from scipy.integrate import solve_ivp
-from scipy.linalg import block_diag, solve_discrete_are
+from scipy.linalg import solve_discrete_are
 
 from baselines.boundary_value import FINE, KAPPA, PITCH_RESERVE, ConstrainedProblem, Solution, solve_unconstrained
-from baselines.estimation import ENCODER_NOISE, LEAST_LIFT, START_DEVIATIONS, Actuator, discretised
-from baselines.regulation import augmented
+from baselines.estimation import ENCODER_NOISE, LEAST_LIFT, START_DEVIATIONS, Actuator
+from baselines.regulation import sampled_problem
 from baselines.report import WEB, check_page, write_page
 from baselines.residual import (
     AHEAD,
@@ -33,7 +33,7 @@ from baselines.residual import (
 )
 from baselines.tvlqr import Q, R, stationary_cost, stationary_gain
 from baselines.weights import ObserverWeights, weights_of
-from heli_gym.model import hover_input, linearise
+from heli_gym.model import hover_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters, Limits
 from heli_gym.plant import AXES, PLANTS
 from heli_gym.rigid_body import solve_rigid_body
@@ -179,14 +179,12 @@ def kalman_data(name: str, elevation: float, parameters: HelicopterParameters) -
     """What a policy with a Kalman filter assumes; M is the cost of holding hover at an elevation in rad for ever."""
     weights = weights_of(name)
     assert isinstance(weights, ObserverWeights)
-    hover = np.array([0.0, 0.0, elevation, 0.0, 0.0, 0.0])
-    A, B = (part[None] for part in linearise(hover, hover_input(elevation, parameters), parameters))
-    A, B = discretised(*augmented(A, B, Actuator().lag, integral=False), CONTROL_PERIOD)
-    Q, R = block_diag(weights.Q, np.zeros((2, 2))), weights.R
-    M = solve_discrete_are(A[0], B[0], CONTROL_PERIOD * Q, CONTROL_PERIOD * R)
+    hover = np.array([0.0, 0.0, elevation, 0.0, 0.0, 0.0])[:, None], hover_input(elevation, parameters)[:, None]
+    A, B, cost, effort = sampled_problem(*hover, CONTROL_PERIOD, parameters, weights, Actuator().lag)
+    M = solve_discrete_are(A[0], B[0], cost, effort)
     return {
         "actuator": Actuator()._asdict(),
-        "weights": {"Q": Q.tolist(), "R": R.tolist(), "M": M.tolist()},
+        "weights": {"Q": (cost / CONTROL_PERIOD).tolist(), "R": weights.R.tolist(), "M": M.tolist()},
         "noise": weights.noise._asdict(),
         "encoder_noise": ENCODER_NOISE,
         "start_deviations": START_DEVIATIONS,

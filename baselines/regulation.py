@@ -5,6 +5,7 @@ Wittenmark, Computer-Controlled Systems, 3rd ed., Chapter 11), where a hold, a l
 """
 
 from dataclasses import astuple, dataclass
+from typing import NamedTuple
 
 import numpy as np
 from scipy.linalg import solve_discrete_are
@@ -71,6 +72,29 @@ def augmented(A: np.ndarray, B: np.ndarray, lag: float, integral: bool) -> tuple
     return A_augmented, B_augmented
 
 
+class Problem(NamedTuple):
+    """A sampled linear-quadratic problem along K times, on the states of `augmented`."""
+
+    A: np.ndarray  # (K, n, n) transitions
+    B: np.ndarray  # (K, n, 2)
+    Q: np.ndarray  # (n, n) cost of a control period
+    R: np.ndarray  # (2, 2)
+
+
+def sampled_problem(
+    x: np.ndarray, v: np.ndarray, dt: float, parameters: HelicopterParameters, weights: Weights, lag: float
+) -> Problem:
+    """The problem that regulates deviations from x (6, K), v (2, K), with the inputs held for dt seconds."""
+    A, B = (np.moveaxis(part, -1, 0) for part in linearise(x, v, parameters))
+    A, B = discretised(*augmented(A, B, lag, isinstance(weights, IntegralWeights)), dt)
+    n = A.shape[1]
+    Q = np.zeros((n, n))
+    Q[:6, :6] = weights.Q
+    if isinstance(weights, IntegralWeights):
+        Q[(n - 2, n - 1), (n - 2, n - 1)] = weights.travel_integral, weights.elevation_integral
+    return Problem(A, B, dt * Q, dt * weights.R)
+
+
 def regulator_gains(
     x: np.ndarray, v: np.ndarray, dt: float, parameters: HelicopterParameters, weights: Weights, lag: float = 0.0
 ) -> np.ndarray:
@@ -79,20 +103,12 @@ def regulator_gains(
     By the Riccati difference equation, backwards from the cost of holding hover at the reference's last elevation for
     ever. With `IntegralWeights`, integrals are among the states.
     """
-    integral = isinstance(weights, IntegralWeights)
     elevation = float(x[2, -1])
     x = np.concatenate((x, [[0.0], [0.0], [elevation], [0.0], [0.0], [0.0]]), axis=1)
     v = np.concatenate((v, hover_input(elevation, parameters)[:, None]), axis=1)
-    A, B = (np.moveaxis(part, -1, 0) for part in linearise(x, v, parameters))
-    A, B = discretised(*augmented(A, B, lag, integral), dt)
-    n = A.shape[1]
-    Q = np.zeros((n, n))
-    Q[:6, :6] = weights.Q
-    if isinstance(weights, IntegralWeights):
-        Q[(n - 2, n - 1), (n - 2, n - 1)] = weights.travel_integral, weights.elevation_integral
-    Q, R = dt * Q, dt * weights.R
+    A, B, Q, R = sampled_problem(x, v, dt, parameters, weights, lag)
     P = solve_discrete_are(A[-1], B[-1], Q, R)
-    gains = np.empty((len(A) - 1, 2, n))
+    gains = np.empty((len(A) - 1, 2, A.shape[1]))
     for k in range(len(A) - 2, -1, -1):
         PA, PB = P @ A[k], P @ B[k]
         gains[k] = np.linalg.solve(R + B[k].T @ PB, PB.T @ A[k])

@@ -90,7 +90,7 @@ def check(args: Args) -> None:
     if args.chunk % args.rollout:
         raise ValueError(f"chunk = {args.chunk}: a multiple of rollout = {args.rollout} is needed")
     # The seeds of `learn`: no chunk flies the draws of another seed's run, nor those of the validation.
-    chunks = -(-args.steps // (args.chunk * args.envs))
+    chunks = chunks_of(args)
     if chunks > 1000:
         raise ValueError(
             f"steps = {args.steps}: {chunks} chunks of {args.chunk} x {args.envs} steps, and at most 1000 "
@@ -102,6 +102,11 @@ def check(args: Args) -> None:
             f"on; (1000 seed + chunks) envs <= {VALIDATION_SEED} is needed"
         )
     check_folder("out", args.out)
+
+
+def chunks_of(args: Args) -> int:
+    """How many chunks the steps take."""
+    return -(-args.steps // (args.chunk * args.envs))
 
 
 def base_of(args: Args) -> str:
@@ -257,7 +262,7 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
         write_json(folder / "settings.json", settings_of(args))
     best_so_far = max((score(args, row) for row in history[1:]), default=-np.inf)
 
-    chunks = -(-args.steps // (args.chunk * args.envs))
+    chunks = chunks_of(args)
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, disable=not args.progress) as progress:
         bar = progress.add_task(name, total=chunks, completed=len(history) - 1)
