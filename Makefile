@@ -23,13 +23,15 @@ test: $(VENV)/dev
 lint: $(VENV)/dev
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
+	rm -rf build/types && mkdir -p build/types/heli_gym
+	ln -s $(CURDIR)/heli_gym/* $(CURDIR)/baselines $(CURDIR)/train build/types/heli_gym  # as installed
 	$(BIN)/mypy
 
 reproduce: $(VENV)/dev
 	@echo "ten searches for weights, 26 training runs, two tables: some two hours on an idle core; may be interrupted"
 	for plant in lab rigid; do \
 	  for policy in $(TUNED); do \
-	    $(BIN)/python -m baselines.tune --policy $$policy --plants $$plant --objective tracking \
+	    $(BIN)/heli-tune --policy $$policy --plants $$plant --objective tracking \
 	      --candidates 200 --population 20 --store || exit 1; \
 	  done; \
 	  for seed in $(SEEDS); do $(TRAIN) --plant $$plant --seed $$seed || exit 1; done; \
@@ -38,7 +40,7 @@ reproduce: $(VENV)/dev
 	  $(TRAIN) --mode scratch --seed $$seed && $(TRAIN) --base feedforward+tvlqr --seed $$seed || exit 1; \
 	done
 	for plant in lab rigid; do \
-	  $(BIN)/python -m train.results --plant $$plant --methods out/train/$$plant/* --oracle 20 --out out/results || exit 1; \
+	  $(BIN)/heli-results --plant $$plant --methods out/train/$$plant/* --oracle 20 --out out/results || exit 1; \
 	done
 
 clean:

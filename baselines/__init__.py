@@ -1,11 +1,11 @@
-"""Policies that know the model: the paper's planner and time-varying LQR, and how they are flown and judged."""
+"""Planners and controllers that know the model, and their evaluation; imports `heli_gym`, never `heli_gym.train`."""
 
-from baselines.flight import fly
-from baselines.planner import plan, plan_fastest, plan_unconstrained
-from baselines.policies import POLICIES, Policy, make_policy
-from baselines.sampler import ManeuverSampler
-from baselines.search import InfeasibleManeuver
-from baselines.tvlqr import riccati_gains
+from heli_gym.baselines.control.policies import POLICIES, Policy, make_policy
+from heli_gym.baselines.evaluation.rollout import fly
+from heli_gym.baselines.paper.tvlqr import riccati_gains
+from heli_gym.baselines.planning.feasibility import InfeasibleManeuver
+from heli_gym.baselines.planning.planner import plan, plan_fastest, plan_unconstrained
+from heli_gym.baselines.planning.sampler import ManeuverSampler
 
 __all__ = [
     "POLICIES",

@@ -15,19 +15,20 @@ from typing import Any
 import casadi as ca
 import numpy as np
 import tyro
+from heli_gym.baselines import ManeuverSampler, plan, riccati_gains
+from heli_gym.baselines.paper.boundary_value import COARSE, MAX_NODES, ConstrainedProblem, Solution, solve_unconstrained
+from heli_gym.baselines.paper.normal_form import thrust_bounds
+from heli_gym.baselines.paper.riccati import integrate, jacobians_along
+from heli_gym.baselines.paper.shooting import shooter, solve_by_shooting, solve_near, unconstrained_guess
+from heli_gym.baselines.paper.tvlqr import Q, R, integrate_stiff, stationary_cost
+from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning.collocation import collocate
 from numba import njit
 from rich.console import Console
 from rich.table import Table
 from scipy.integrate import odeint, solve_bvp, solve_ivp
 from scipy.optimize import fsolve
 
-from baselines import ManeuverSampler, plan, riccati_gains, spline
-from baselines.boundary_value import COARSE, MAX_NODES, ConstrainedProblem, Solution, solve_unconstrained
-from baselines.collocation import collocate
-from baselines.normal_form import thrust_bounds
-from baselines.riccati import integrate, jacobians_along
-from baselines.shooting import shooter, solve_by_shooting, solve_near, unconstrained_guess
-from baselines.tvlqr import Q, R, integrate_stiff, stationary_cost
 from heli_gym import Maneuver, Trajectory, dynamics, linearise, thrust
 from heli_gym.model import hover_input, virtual_input
 

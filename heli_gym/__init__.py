@@ -1,6 +1,7 @@
 """The 3-DOF laboratory helicopter of Kiefer, Graichen and Kugi as a Gymnasium environment.
 
-Importing it registers `Heli3DOF-v0`.
+Importing it registers `Heli3DOF-v0`. It imports nothing else of ours; `heli_gym.baselines` and `heli_gym.train` build
+on it.
 """
 
 from gymnasium import register

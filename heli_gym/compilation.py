@@ -8,7 +8,7 @@ from typing import Any
 import numba
 import numpy as np
 
-# not "reassoc", which would undo the reduction in `elementary.sine`
+# not "reassoc", which would undo the reduction in `fast_math.sine`
 FAST = {"contract", "nnan", "nsz", "arcp"}
 
 

@@ -12,7 +12,10 @@ from gymnasium.spaces import Box
 from numpy.typing import ArrayLike
 
 from heli_gym import task
-from heli_gym.kernels import (
+from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
+from heli_gym.plant import Plant, find_plant
+from heli_gym.rendering import Renderer, Scene
+from heli_gym.simulation.kernels import (
     ARRIVED,
     ASKED,
     CRASHED,
@@ -29,10 +32,7 @@ from heli_gym.kernels import (
     X,
     one_step,
 )
-from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
-from heli_gym.plant import Plant, find_plant
-from heli_gym.rendering import Renderer, Scene
-from heli_gym.simulation import Simulation
+from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
 
 ONLY = np.zeros(1, int)  # the only helicopter of its simulation

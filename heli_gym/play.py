@@ -1,4 +1,4 @@
-"""Fly by keyboard: `python -m heli_gym.play`, and with `--assist` helped by the paper's feedback.
+"""Fly by keyboard: `heli-play`, and with `--assist` helped by the paper's feedback.
 
 The arrow keys raise and lower the helicopter and turn it left, which is counter-clockwise seen from above, or right.
 Without help they change the two voltages about hover; with it they move a set-point, which the regulator (49)-(51)
@@ -120,8 +120,8 @@ def mapping(env: gym.Env) -> tuple[dict[tuple[int, ...], np.ndarray], np.ndarray
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """The command `python -m heli_gym.play`."""
-    parser = argparse.ArgumentParser(prog="python -m heli_gym.play", description=__doc__.partition("\n\n")[2])
+    """The command `heli-play`."""
+    parser = argparse.ArgumentParser(prog="heli-play", description=__doc__.partition("\n\n")[2])
     parser.add_argument("--assist", action="store_true", help="let the paper's feedback help")
     parser.add_argument("--plant", default="nominal", help="nominal, lab or rigid (default: %(default)s)")
     parser.add_argument("--reference", default="travel-360", help="name or .npz file (default: %(default)s)")

@@ -14,11 +14,22 @@ from numpy.typing import ArrayLike
 
 from heli_gym import task
 from heli_gym.env import Heli3DOFEnv, find_reference, scene_of
-from heli_gym.kernels import ASKED, COST, MEASURED, NOT_FINITE, REWARD, SUCCEEDED, TERMINATED, TIME, TRUNCATED, X
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer
-from heli_gym.simulation import Simulation
+from heli_gym.simulation.kernels import (
+    ASKED,
+    COST,
+    MEASURED,
+    NOT_FINITE,
+    REWARD,
+    SUCCEEDED,
+    TERMINATED,
+    TIME,
+    TRUNCATED,
+    X,
+)
+from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
 
 

@@ -5,9 +5,9 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads only slow 6x6 matrices down
 
 import pytest
+from heli_gym.baselines.planning.planner import plan, plan_unconstrained
 from hypothesis import settings
 
-from baselines.planner import plan, plan_unconstrained
 from heli_gym import Maneuver, Trajectory
 
 settings.register_profile("heli", deadline=None, derandomize=True, database=None, max_examples=50)

@@ -18,24 +18,50 @@ from heli_gym import Trajectory
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
-PACKAGES = ("heli_gym", "baselines", "train")
-MODULES = [path for package in PACKAGES for path in sorted((ROOT / package).rglob("*.py"))]
-MAY_IMPORT = {"heli_gym": set(), "baselines": {"heli_gym"}, "train": {"heli_gym", "baselines"}}
+FOLDERS = ("heli_gym", "baselines", "train")
+MODULES = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.py"))]
+BASELINES = "heli_gym.baselines"
+LAYERS = ("paper", "planning", "control", "identification", "evaluation", "commands")
+# Which packages of ours the modules of each package may import, apart from their own.
+MAY_IMPORT = {
+    "heli_gym": set(),
+    "heli_gym.simulation": {"heli_gym"},
+    BASELINES: {"heli_gym", *(f"{BASELINES}.{layer}" for layer in LAYERS[:-1])},
+    f"{BASELINES}.paper": {"heli_gym"},
+    f"{BASELINES}.planning": {"heli_gym", f"{BASELINES}.paper"},
+    f"{BASELINES}.control": {"heli_gym", *(f"{BASELINES}.{layer}" for layer in LAYERS[:2])},
+    f"{BASELINES}.identification": {"heli_gym", *(f"{BASELINES}.{layer}" for layer in LAYERS[:2])},
+    f"{BASELINES}.evaluation": {"heli_gym", *(f"{BASELINES}.{layer}" for layer in LAYERS[:4])},
+    f"{BASELINES}.commands": {"heli_gym", BASELINES, *(f"{BASELINES}.{layer}" for layer in LAYERS[:5])},
+    "heli_gym.train": {"heli_gym", BASELINES, *(f"{BASELINES}.{layer}" for layer in LAYERS[:5])},
+}
 EXTRAS = {"heli_gym": (), "baselines": ("eval",), "train": ("eval", "ocp", "train")}
 
 
+def package_of(path: Path) -> str:
+    """The import name of the package that a module belongs to."""
+    parts = path.relative_to(ROOT).parts[:-1]
+    return ".".join(parts if parts[0] == "heli_gym" else ("heli_gym", *parts))
+
+
 def imported(path: Path) -> set[str]:
-    """The top-level names of everything that a module imports, unless it can do without."""
+    """The dotted names of everything that a module imports, unless it can do without."""
     tree = ast.parse(path.read_text())
     attempts = [node for node in ast.walk(tree) if isinstance(node, ast.Try) and "ImportError" in ast.unparse(node)]
-    dispensable = {node for attempt in attempts for node in ast.walk(attempt)}
+    optional = {node for attempt in attempts for node in ast.walk(attempt)}
     names = set()
-    for node in set(ast.walk(tree)) - dispensable:
+    for node in set(ast.walk(tree)) - optional:
         if isinstance(node, ast.Import):
-            names |= {alias.name.split(".")[0] for alias in node.names}
+            names |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
-            names.add(path.relative_to(ROOT).parts[0] if node.level else node.module.split(".")[0])
+            assert node.level == 0, f"{path}: imports are absolute"
+            names |= {f"{node.module}.{alias.name}" for alias in node.names}
     return names
+
+
+def packages_of(name: str) -> str:
+    """The package of ours that an imported dotted name lies in: the longest that begins it."""
+    return max((package for package in MAY_IMPORT if f"{name}.".startswith(f"{package}.")), key=len)
 
 
 def module_id(path: Path) -> str:
@@ -44,29 +70,56 @@ def module_id(path: Path) -> str:
 
 @pytest.mark.parametrize("path", MODULES, ids=module_id)
 def test_values_flow_one_way(path):
-    package = path.relative_to(ROOT).parts[0]
-    assert imported(path) & set(PACKAGES) <= MAY_IMPORT[package] | {package}
+    package = package_of(path)
+    ours = {packages_of(name) for name in imported(path) if name.split(".")[0] == "heli_gym"}
+    assert ours <= MAY_IMPORT[package] | {package, "heli_gym.simulation"}
 
 
 @pytest.mark.parametrize("path", MODULES, ids=module_id)
 def test_what_a_package_imports_is_what_it_declares(path):
-    package = path.relative_to(ROOT).parts[0]
+    folder = path.relative_to(ROOT).parts[0]
     optional = PROJECT["project"]["optional-dependencies"]
-    required = [*PROJECT["project"]["dependencies"], *(name for extra in EXTRAS[package] for name in optional[extra])]
+    required = [*PROJECT["project"]["dependencies"], *(name for extra in EXTRAS[folder] for name in optional[extra])]
     declared = {re.match(r"[\w-]+", requirement)[0].replace("-", "_") for requirement in required}
-    assert imported(path) - set(PACKAGES) - sys.stdlib_module_names <= declared
+    roots = {name.split(".")[0] for name in imported(path)}
+    assert roots - {"heli_gym"} - sys.stdlib_module_names <= declared
+
+
+@pytest.mark.parametrize("package", MAY_IMPORT)
+def test_every_folder_says_what_belongs_in_it_and_what_it_may_import(package):
+    module = importlib.import_module(package)
+    assert "import" in module.__doc__.lower()
+
+
+def test_the_map_of_imports_names_every_folder():
+    assert {package_of(path) for path in MODULES} <= set(MAY_IMPORT)
+
+
+def test_a_users_own_train_and_baselines_do_not_get_in_the_way(tmp_path):
+    (tmp_path / "train.py").write_text("raise SystemExit('the wrong train')\n")
+    (tmp_path / "baselines").mkdir()
+    (tmp_path / "baselines" / "__init__.py").write_text("raise SystemExit('the wrong baselines')\n")
+    code = (
+        "import heli_gym.train, heli_gym.baselines.paper.tvlqr, sys;"
+        "assert not {'train', 'baselines'} & set(sys.modules);"
+        "files = [m.__file__ for m in sys.modules.values() if getattr(m, '__file__', None)];"
+        "print(len(files) - len(set(files)))"
+    )
+    child = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=tmp_path)
+    assert (child.returncode, child.stderr) == (0, "")
+    assert child.stdout.strip() == "0"  # no module is in memory twice
 
 
 def test_importing_the_environment_or_the_policies_loads_nothing_heavy():
     script = (
         "import sys, json, heli_gym, heli_gym.env; first = list(sys.modules);"
-        "import baselines; print(json.dumps([first, list(sys.modules)]))"
+        "import heli_gym.baselines; print(json.dumps([first, list(sys.modules)]))"
     )
     child = subprocess.run([sys.executable, "-W", "error", "-c", script], capture_output=True, text=True)
     assert child.returncode == 0, child.stderr
     with_environment, with_policies = map(set, json.loads(child.stdout))
-    heavy = {"torch", "matplotlib", "stable_baselines3", "train"}
-    assert not with_environment & (heavy | {"baselines"})
+    heavy = {"torch", "matplotlib", "stable_baselines3", "heli_gym.train"}
+    assert not with_environment & (heavy | {"heli_gym.baselines"})
     assert not with_policies & heavy
 
 
@@ -74,7 +127,7 @@ def test_importing_the_environment_or_the_policies_loads_nothing_heavy():
     ("module", "names"),
     [
         ("heli_gym", "HelicopterParameters Limits Maneuver Trajectory dynamics linearise thrust voltage"),
-        ("baselines", "InfeasibleManeuver fly make_policy plan riccati_gains"),
+        ("heli_gym.baselines", "InfeasibleManeuver fly make_policy plan riccati_gains"),
     ],
 )
 def test_public_names(module, names):
@@ -86,7 +139,8 @@ def test_public_names(module, names):
 
 @pytest.mark.parametrize("path", MODULES, ids=module_id)
 def test_nothing_is_unpickled_or_evaluated(path):
-    assert not imported(path) & {"pickle", "cPickle", "cloudpickle", "dill", "joblib", "marshal", "shelve", "runpy"}
+    roots = {name.split(".")[0] for name in imported(path)}
+    assert not roots & {"pickle", "cPickle", "cloudpickle", "dill", "joblib", "marshal", "shelve", "runpy"}
     for node in ast.walk(ast.parse(path.read_text())):
         if isinstance(node, ast.Call):
             called = ast.unparse(node.func)
@@ -101,15 +155,18 @@ def test_nothing_is_unpickled_or_evaluated(path):
 
 def test_every_file_of_the_packages_is_shipped():
     setuptools = PROJECT["tool"]["setuptools"]
-    for package in PACKAGES:
-        for path in (ROOT / package).rglob("*"):
+    for folder in FOLDERS:
+        for path in (ROOT / folder).rglob("*"):
             if path.is_dir() or "__pycache__" in path.parts:
                 continue
-            if path.suffix == ".py":
-                assert ".".join(path.parent.relative_to(ROOT).parts) in setuptools["packages"]
-            else:
+            package, name = package_of(path), path.name
+            if path.suffix != ".py":
+                while package not in setuptools["packages"]:  # a folder of data
+                    package, _, data = package.rpartition(".")
+                    name = f"{data}/{name}"
                 patterns = setuptools["package-data"].get(package, [])
-                assert any(fnmatch(str(path.relative_to(ROOT / package)), pattern) for pattern in patterns), path
+                assert any(fnmatch(name, pattern) for pattern in patterns), path
+            assert package in setuptools["packages"], path
 
 
 def test_the_package_says_that_it_is_typed_and_brings_its_references():

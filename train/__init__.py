@@ -1,1 +1,1 @@
-"""Stable-Baselines3 agents that learn corrections on top of the baselines: still to come."""
+"""Agents that learn corrections on top of the baselines; imports `heli_gym` and `baselines`, but for its commands."""

@@ -1,7 +1,7 @@
-"""`python -m train.export_onnx --policy best.json --out best.onnx`: a learned network for other runtimes.
+"""`heli-export-onnx --policy best.json --out best.onnx`: a learned network for other runtimes.
 
 Only the network, from features (N, F) to actions (N, 2) in single precision: what makes the features and what is done
-with the actions is `baselines.residual.ResidualPolicy`.
+with the actions is `heli_gym.baselines.control.residual.ResidualPolicy`.
 """
 
 import sys
@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 import onnx
 import tyro
+from heli_gym.baselines.control.residual import LEARNED, Network, load_learned
 from onnx import TensorProto, helper, numpy_helper
 
-from baselines.residual import LEARNED, Network, load_learned
 from heli_gym.storage import atomic_write
 
 OPSET, IR_VERSION = 17, 8  # of 2022, which runtimes have learned to read
@@ -53,12 +53,13 @@ def onnx_model(network: Network) -> onnx.ModelProto:
     return model
 
 
-def main(args: Args) -> None:
+def main(args: Args | None = None) -> None:
     """Read, export, write."""
+    args = args or tyro.cli(Args, prog="heli-export-onnx", description=__doc__)
     try:
         _, network = load_learned(args.policy)
     except ValueError as error:
-        sys.exit(f"train.export_onnx: {error}")
+        sys.exit(f"heli_gym.train.export_onnx: {error}")
     args.out.parent.mkdir(parents=True, exist_ok=True)
     with atomic_write(args.out) as file:
         file.write(onnx_model(network).SerializeToString())
@@ -66,4 +67,4 @@ def main(args: Args) -> None:
 
 
 if __name__ == "__main__":
-    main(tyro.cli(Args, description=__doc__))
+    main()

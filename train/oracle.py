@@ -9,14 +9,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from heli_gym.baselines.control.policies import period
+from heli_gym.baselines.planning.collocation import import_casadi
 
-from baselines.collocation import import_casadi
-from baselines.policies import period
 from heli_gym.model import dynamics, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.plant import Plant, hindered
 from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
-from heli_gym.simulation import SUBSTEP
+from heli_gym.simulation.simulation import SUBSTEP
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 

@@ -1,4 +1,4 @@
-"""`python -m train.results`: learned and classical policies on the same held-out helicopters, with intervals.
+"""`heli-results`: learned and classical policies on the same held-out helicopters, with intervals.
 
 Every policy flies the same draws of a plant, which neither training nor validation has used. Of each metric the table
 gives the interquartile mean over draws and training seeds (Agarwal et al., "Deep reinforcement learning at the edge of
@@ -14,21 +14,21 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import tyro
+from heli_gym.baselines.control.policies import Policy, make_policy
+from heli_gym.baselines.control.weights import TUNED
+from heli_gym.baselines.evaluation.metrics import flight_metrics
+from heli_gym.baselines.evaluation.rollout import fly, fly_many
+from heli_gym.train.oracle import NoOptimum, Oracle
 from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 from scipy.stats import trim_mean
 
-from baselines.flight import fly, fly_many
-from baselines.metrics import flight_metrics
-from baselines.policies import Policy, make_policy
-from baselines.weights import TUNED
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
-from train.oracle import NoOptimum, Oracle
 
 START_SPREAD_DEG = 5.0
 RESAMPLES, CONFIDENCE = 2000, 0.95
@@ -251,7 +251,7 @@ def main() -> None:
     try:
         results = compare(args, console)
     except (ValueError, ImportError) as error:
-        sys.exit(f"train.results: {error}")
+        sys.exit(f"heli_gym.train.results: {error}")
     table, rows = table_of(args, results)
     console.print(table)
     args.out.mkdir(parents=True, exist_ok=True)

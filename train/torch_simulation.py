@@ -2,15 +2,19 @@
 
 For any number of helicopters in one batch, on whatever device and in whatever dtype the numbers are. Plants may have
 rotor lag, thrust loss, slew, delay, friction, a rig and encoders, each with its own numbers; disturbances and noise,
-which `heli_gym.kernels` draws helicopter by helicopter, are refused.
+which `heli_gym.simulation.kernels` draws helicopter by helicopter, are refused.
 """
 
 from typing import Any, NamedTuple
 
 import torch
 
-from heli_gym import kernels
-from heli_gym.kernels import (
+from heli_gym.model import dynamics, moved, rk4_step, thrust, virtual_input
+from heli_gym.parameters import HelicopterParameters
+from heli_gym.plant import encoded, hindered
+from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
+from heli_gym.simulation import kernels
+from heli_gym.simulation.kernels import (
     ASKED,
     COULOMB,
     COUNTS,
@@ -36,11 +40,7 @@ from heli_gym.kernels import (
     Window,
     X,
 )
-from heli_gym.model import dynamics, moved, rk4_step, thrust, virtual_input
-from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import encoded, hindered
-from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
-from heli_gym.simulation import Simulation
+from heli_gym.simulation.simulation import Simulation
 from heli_gym.task import cost, crashed, reward, to_voltage
 
 

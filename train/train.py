@@ -20,6 +20,13 @@ from typing import Any, Literal
 import numpy as np
 import torch
 import tyro
+from heli_gym.baselines.control.policies import POLICIES, make_policy
+from heli_gym.baselines.control.residual import GROUPS, Learned, Network, ResidualPolicy, save_learned
+from heli_gym.baselines.evaluation.metrics import ONE, Metrics, flight_metrics
+from heli_gym.baselines.evaluation.rollout import fly_many
+from heli_gym.train.asymmetric import AsymmetricPolicy
+from heli_gym.train.checkpoint import last_checkpoint, save_checkpoint
+from heli_gym.train.vec_env import ResidualVecEnv
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 from stable_baselines3 import PPO, SAC, TD3
@@ -27,17 +34,10 @@ from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.logger import configure
 from stable_baselines3.common.utils import set_random_seed
 
-from baselines.flight import fly_many
-from baselines.metrics import ONE, Metrics, flight_metrics
-from baselines.policies import POLICIES, make_policy
-from baselines.residual import GROUPS, Learned, Network, ResidualPolicy, save_learned
 from heli_gym.env import find_reference
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.vector_env import Heli3DOFVectorEnv
-from train.asymmetric import AsymmetricPolicy
-from train.checkpoint import last_checkpoint, save_checkpoint
-from train.vec_env import ResidualVecEnv
 
 START_SPREAD_DEG = 5.0
 VALIDATION_SEED = HELD_OUT_SEED // 2  # training's seeds stay below, those of evaluations above
@@ -54,7 +54,7 @@ class Args:
     mode: Literal["residual", "scratch"] = "residual"  # whether the agent corrects the base policy or flies alone
     base: str = ""  # the policy that is corrected; by default "kalman-lqr@PLANT", tuned for what the agent learns too
     scale: float = 3.0  # V, the greatest correction
-    sees: tuple[str, ...] = tuple(GROUPS)  # what of `baselines.residual.GROUPS` the agent is shown
+    sees: tuple[str, ...] = tuple(GROUPS)  # what of `heli_gym.baselines.control.residual.GROUPS` the agent is shown
     privileged: bool = True  # PPO: whether its critic sees the true errors and the draw of the plant too
     objective: Literal["tracking", "environment"] = "tracking"  # travel, elevation and cost, or the whole reward
     reference: str = "travel-360"

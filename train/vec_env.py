@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 from gymnasium.spaces import Box
 from gymnasium.vector import AutoresetMode
+from heli_gym.baselines.control.policies import ModelPolicy, period
+from heli_gym.baselines.control.residual import LARGEST, ResidualPolicy
+from heli_gym.baselines.evaluation.metrics import tracking_reward
 from stable_baselines3.common.vec_env.base_vec_env import VecEnv
 
-from baselines.metrics import tracking_reward
-from baselines.policies import ModelPolicy, period
-from baselines.residual import LARGEST, ResidualPolicy
-from heli_gym.kernels import LAG, LOSS, RIG, VISCOUS
 from heli_gym.rigid_body import RigidBodyParameters
+from heli_gym.simulation.kernels import LAG, LOSS, RIG, VISCOUS
 from heli_gym.task import TOLERANCE, to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv
 

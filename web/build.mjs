@@ -1,4 +1,4 @@
-// Bundles src/ into ../baselines/web/. The first line of heli.js names the sources that it was made of.
+// Bundles src/ into ../baselines/evaluation/web/. The first line of heli.js names the sources that it was made of.
 
 import { createHash } from "node:crypto";
 import { readFileSync, readdirSync } from "node:fs";

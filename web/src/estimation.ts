@@ -1,4 +1,4 @@
-// What a controller may assume beyond (3), as baselines/estimation.py has it: rotors that lag, a delay, and disturbances
+// What a controller may assume beyond (3), as baselines/control/estimation.py has it: rotors that lag, a delay, and disturbances
 // that it has to estimate.
 
 import { type Matrix, diagonal, plus, scaled, solved, symmetric, times, transposed, zeros } from "./matrices";

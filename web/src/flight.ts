@@ -1,4 +1,4 @@
-// A helicopter in the air: a controller, a plant, and what it did so far. As baselines/flight.py has it.
+// A helicopter in the air: a controller, a plant, and what it did so far. As baselines/evaluation/rollout.py has it.
 
 import { type Pair, clip } from "./model";
 import { type Plant, type PlantState, type Push, advance, atRest, measurement } from "./plant";

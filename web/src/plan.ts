@@ -1,5 +1,5 @@
 // The paper's plan from its free parameters: with p of (39) known, the boundary value problem (38) is an initial value
-// problem. Python solves for p (baselines/boundary_value.py); here it is integrated forwards.
+// problem. Python solves for p (baselines/paper/boundary_value.py); here it is integrated forwards.
 
 import { type Pair, type Parameters, clip, hoverInput, rk4Step, thrust, voltages } from "./model";
 

@@ -1,4 +1,4 @@
-// Controllers, as baselines/policies.py has them.
+// Controllers, as baselines/control/policies.py has them.
 
 import { type Actuator, type Uncertainty, accommodated, kalmanGains, predict } from "./estimation";
 import { type Matrix, applied, minus } from "./matrices";

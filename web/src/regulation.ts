@@ -1,4 +1,4 @@
-// The linear quadratic regulator on the control grid for rotors that lag, as baselines/regulation.py has it.
+// The linear quadratic regulator on the control grid for rotors that lag, as baselines/control/discrete_lqr.py has it.
 
 import { discretised } from "./estimation";
 import { type Matrix, plus, scaled, solved, symmetric, times, transposed } from "./matrices";

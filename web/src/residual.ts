@@ -1,4 +1,4 @@
-// A learned correction on top of a controller, as baselines/residual.py has it.
+// A learned correction on top of a controller, as baselines/control/residual.py has it.
 
 import { type Matrix, applied, minus } from "./matrices";
 import { type Pair, clip } from "./model";

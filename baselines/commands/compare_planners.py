@@ -1,0 +1,336 @@
+"""How good the planners are: `heli-compare-planners`; needs the extras `eval` and `ocp`.
+
+Direct collocation, which assumes next to nothing and starts from a straight line, says what is possible. Its optimum
+is local: what is called a bound here is the best that is known. Every plan is flown once more through (3) by scipy.
+"""
+
+import csv
+import io
+import math
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+import gymnasium as gym
+import numpy as np
+import tyro
+from heli_gym.baselines.control.policies import make_policy
+from heli_gym.baselines.evaluation import figures
+from heli_gym.baselines.evaluation.metrics import flight_metrics
+from heli_gym.baselines.evaluation.rollout import fly
+from heli_gym.baselines.planning.collocation import collocate
+from heli_gym.baselines.planning.feasibility import ARRIVAL_TOLERANCE, LIMIT_TOLERANCE, InfeasibleManeuver
+from heli_gym.baselines.planning.planner import FASTEST, plan, plan_fastest
+from heli_gym.baselines.planning.spline import easy_duration
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+from scipy.integrate import solve_ivp
+from scipy.stats import binomtest
+
+from heli_gym.model import dynamics, hover_input, thrust, virtual_input
+from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.plant import HELD_OUT_SEED
+from heli_gym.storage import atomic_write, check_folder
+from heli_gym.trajectory import Maneuver, Trajectory
+
+Part = Literal["robustness", "shortest", "trade-off", "methods", "reserve"]
+
+TO_SPARE = 1.1  # times the shortest duration that collocation finds
+DURATIONS = 0.8, 2.0  # times the same, between which maneuvers are drawn
+HOVER_MARGIN = 0.05  # share of the thrust window that hover leaves at each end
+WINDOWS = ((0.0, 12.0), (1.0, 11.0), (2.0, 10.5), (3.0, 10.0))  # V
+PITCH_LIMITS_DEG = range(10, 81, 5)
+RESERVES = 0.0, 0.1, 0.2, 0.3, 0.4, 0.45
+MORE_TIME = 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35
+LEISURE = 12.0  # s, in which every method can plan the paper's maneuver
+START_SPREAD_DEG = 5.0
+
+
+@dataclass
+class Args:
+    """Compare the planners with direct collocation and with each other."""
+
+    parts: tuple[Part, ...] = ("robustness", "shortest", "trade-off", "methods", "reserve")
+    maneuvers: int = 300  # that collocation can fly with 10 % of the time to spare
+    fastest: int = 20  # maneuvers whose shortest durations are compared
+    draws: int = 100  # helicopters of each plant
+    seed: int = 0
+    out: Path = Path("out/planners")
+
+
+def random_maneuver(rng: np.random.Generator) -> Maneuver:
+    """Travel up to 720°, pitch limits of 10° to 80°, voltages within 0 to 12 V, elevations that these can hold."""
+    parameters = HelicopterParameters()
+    pitch = math.radians(rng.uniform(10.0, 80.0))
+    limits = Limits(rng.uniform(0.0, 4.0), rng.uniform(9.0, 12.0), -pitch, pitch)
+    low, high = 2.0 * thrust(np.array(limits.u), parameters)
+    elevations = np.radians(np.linspace(-60.0, 60.0, 1201))
+    share = (hover_input(elevations, parameters)[0] - low) / (high - low)
+    held = elevations[(share > HOVER_MARGIN) & (share < 1.0 - HOVER_MARGIN)]
+    start, goal = rng.uniform(held[0], held[-1], 2)
+    travel = math.radians(rng.uniform(-720.0, 720.0))
+    maneuver = Maneuver((0.0, start), (travel, goal), 1.0, limits, parameters)
+    return replace(maneuver, duration=2.0 * easy_duration(maneuver))
+
+
+def shortest_known(maneuver: Maneuver) -> float:
+    """The shortest duration in s that collocation finds; infinite if it finds none."""
+    found = collocate(maneuver, "time")
+    return math.inf if found is None else float(found.t[-1])
+
+
+def meets_its_limits(maneuver: Maneuver, trajectory: Trajectory) -> bool:
+    """Whether a plan keeps what `plan` promises, by scipy's integrator of order eight."""
+    times, voltages = trajectory.t.copy(), trajectory.u.copy()
+
+    def rhs(t, x):
+        u = np.array([np.interp(t, times, row) for row in voltages])
+        return dynamics(x, virtual_input(thrust(u, maneuver.parameters)), maneuver.parameters, math.sin, math.cos)
+
+    flown = solve_ivp(rhs, (0.0, times[-1]), trajectory.x[:, 0], "DOP853", rtol=1e-8, atol=1e-10, max_step=0.02).y
+    (travel, elevation), limits = maneuver.goal, maneuver.limits
+    return bool(
+        np.abs(flown[:, -1] - [travel, 0.0, elevation, 0.0, 0.0, 0.0]).max() <= ARRIVAL_TOLERANCE
+        and (flown[:, 0] == [maneuver.start[0], 0.0, maneuver.start[1], 0.0, 0.0, 0.0]).all()
+        and limits.u_min - LIMIT_TOLERANCE <= trajectory.u.min() <= trajectory.u.max() <= limits.u_max + LIMIT_TOLERANCE
+        and limits.pitch_min - LIMIT_TOLERANCE <= flown[4].min() <= flown[4].max() <= limits.pitch_max + LIMIT_TOLERANCE
+        and times[-1] == maneuver.duration
+    )
+
+
+def timed(planner: Callable[..., Trajectory], *arguments: Any, **options: Any) -> tuple[Trajectory | None, float]:
+    """A plan, or None if it is refused, and the seconds that took."""
+    began = time.perf_counter()
+    try:
+        trajectory = planner(*arguments, **options)
+    except InfeasibleManeuver:
+        trajectory = None
+    return trajectory, time.perf_counter() - began
+
+
+def robustness(args: Args, console: Console) -> None:
+    """Random maneuvers: how many of those that can be flown with time to spare are planned, and how fast."""
+    rng, spare = np.random.default_rng(args.seed), 0
+    rows: list[dict[str, Any]] = []
+    plan(Maneuver(duration=9.0))  # compiles what is compiled
+    with console.status("robustness"):
+        while spare < args.maneuvers:
+            maneuver = random_maneuver(rng)
+            shortest, ratio = shortest_known(maneuver), rng.uniform(*DURATIONS)
+            if not math.isfinite(shortest):
+                continue
+            asked = replace(maneuver, duration=ratio * shortest)
+            trajectory, seconds = timed(plan, asked)
+            kept = trajectory is not None and meets_its_limits(asked, trajectory)
+            spare += ratio >= TO_SPARE
+            rows.append(
+                {
+                    "maneuver": str(asked),
+                    "duration / shortest known": ratio,
+                    "planned": trajectory is not None,
+                    "limits kept": kept,
+                    "seconds": seconds,
+                }
+            )
+    write_csv(args.out / "robustness.csv", rows)
+    table = Table("maneuvers", "number", "planned", "95 % interval", "limits kept", "median time", "99th percentile")
+    for name, low, high in (
+        ("with 10 % to spare", TO_SPARE, math.inf),
+        ("with less", 1.0, TO_SPARE),
+        ("below the shortest known", 0.0, 1.0),
+    ):
+        group = [row for row in rows if low <= row["duration / shortest known"] < high]
+        if group:
+            planned = sum(row["planned"] for row in group)
+            interval = binomtest(planned, len(group)).proportion_ci(method="wilson")
+            times = [row["seconds"] for row in group]
+            table.add_row(
+                name,
+                str(len(group)),
+                f"{planned / len(group):.1%}",
+                f"{interval.low:.1%} to {interval.high:.1%}",
+                f"{sum(row['limits kept'] for row in group)} of {planned}",
+                f"{1e3 * np.median(times):.1f} ms",
+                f"{1e3 * np.percentile(times, 99.0):.0f} ms",
+            )
+    console.print(table)
+
+
+def shortest(args: Args, console: Console) -> None:
+    """The shortest durations of random maneuvers, and of the paper's."""
+    rng = np.random.default_rng(args.seed + 1)
+    rows: list[dict[str, Any]] = []
+    drawn = [Maneuver(duration=20.0), *(random_maneuver(rng) for _ in range(args.fastest))]
+    for maneuver in track(drawn, "shortest", console=console):
+        known = shortest_known(maneuver)
+        trajectory, seconds = timed(plan_fastest, maneuver)
+        found = math.inf if trajectory is None else trajectory.duration
+        kept = trajectory is not None and meets_its_limits(replace(maneuver, duration=found), trajectory)
+        rows.append(
+            {
+                "maneuver": str(maneuver),
+                "collocation": known,
+                "spline": found,
+                "ratio": found / known,
+                "limits kept": kept,
+                "seconds": seconds,
+            }
+        )
+    write_csv(args.out / "shortest.csv", rows)
+    ratios = np.array([row["ratio"] for row in rows[1:]])
+    first = rows[0]
+    console.print(
+        f"the paper's maneuver: {first['spline']:.3f} s, {first['ratio'] - 1.0:.1%} above "
+        f"{first['collocation']:.3f} s\n"
+        f"{len(ratios)} others: {ratios.min() - 1.0:.1%} to {ratios.max() - 1.0:.1%} above, median "
+        f"{np.median(ratios) - 1.0:.1%}; limits kept by {sum(row['limits kept'] for row in rows)} of {len(rows)}"
+    )
+
+
+def trade_off(args: Args, console: Console) -> None:
+    """The shortest duration of the paper's rotation against the pitch limit and the voltage window."""
+    rows = []
+    for u_min, u_max in track(WINDOWS, "trade-off", console=console):
+        for degrees in PITCH_LIMITS_DEG:
+            pitch = math.radians(degrees)
+            maneuver = Maneuver(duration=60.0, limits=Limits(u_min, u_max, -pitch, pitch))
+            trajectory, _ = timed(plan_fastest, maneuver)
+            rows.append(
+                {
+                    "u_min": u_min,
+                    "u_max": u_max,
+                    "pitch limit": degrees,
+                    "spline": math.nan if trajectory is None else trajectory.duration,
+                    "collocation": shortest_known(maneuver),
+                }
+            )
+    write_csv(args.out / "trade-off.csv", rows)
+    picture = args.out / "planning.png"
+    figures.save(draw_trade_off(rows), picture)
+    excess = [row["spline"] / row["collocation"] - 1.0 for row in rows]
+    console.print(f"{picture}: splines are {min(excess):.1%} to {max(excess):.1%} above collocation")
+
+
+@figures.styled
+def draw_trade_off(rows: list[dict[str, Any]]) -> Any:
+    """The figure of `trade_off`."""
+    figure, axes = figures.single_panel("pitch limit (deg)", "shortest duration (s)")
+    for (u_min, u_max), color in zip(WINDOWS, figures.FLOWN):
+        window = [row for row in rows if (row["u_min"], row["u_max"]) == (u_min, u_max)]
+        pitch = [row["pitch limit"] for row in window]
+        axes.plot(pitch, [row["spline"] for row in window], color=color, label=f"{u_min:g} to {u_max:g} V")
+        axes.plot(pitch, [row["collocation"] for row in window], color=color, linestyle=":")
+    axes.plot([], [], color=figures.NOTE, label="plan_fastest")
+    axes.plot([], [], color=figures.NOTE, linestyle=":", label="direct collocation")
+    axes.set_title("The 360° rotation from rest to rest: how fast the limits permit")
+    axes.legend()
+    return figure
+
+
+def methods(args: Args, console: Console) -> None:
+    """Every method on the paper's maneuver: with time, and as fast as it can."""
+    rows = []
+    names = [name for name in FASTEST if name != "auto"]
+    for name in track(names, "methods", console=console):
+        for kind, planner, duration in (("in", plan, LEISURE), ("fastest", plan_fastest, 2.0 * LEISURE)):
+            maneuver = Maneuver(duration=duration)
+            planner(maneuver, name)  # compiles what is compiled
+            trajectory, seconds = timed(planner, maneuver, name)
+            assert trajectory is not None
+            f = thrust(trajectory.u, maneuver.parameters)
+            hover = 0.5 * hover_input(maneuver.goal[1], maneuver.parameters)[0]
+            rate = np.diff(trajectory.u) / np.diff(trajectory.t)
+            flown = flights(trajectory, "lab", args.draws)
+            rows.append(
+                {
+                    "method": name,
+                    "asked": f"{LEISURE:g} s" if kind == "in" else kind,
+                    "duration (s)": trajectory.duration,
+                    "effort (N² s)": float(np.trapezoid(((f - hover) ** 2).sum(axis=0), trajectory.t)),
+                    "peak pitch (deg)": float(np.degrees(np.abs(trajectory.x[4]).max())),
+                    "RMS voltage rate (V/s)": float(np.sqrt((rate**2).mean())),
+                    "planning (ms)": 1e3 * seconds,
+                    **flown,
+                }
+            )
+    write_csv(args.out / "methods.csv", rows)
+    console.print(as_table(rows))
+
+
+def reserve(args: Args, console: Console) -> None:
+    """What the fastest plan must leave to the paper's controller on `lab` and `rigid`: wider limits, or more time."""
+    rows, asked = [], Maneuver(duration=2.0 * LEISURE)
+    shortest = plan_fastest(asked).duration
+    plans = [(f"{share:.0%} of the windows", plan_fastest(asked, reserve=share)) for share in RESERVES]
+    plans += [
+        (f"{share:.0%} more time", plan(replace(asked, duration=(1.0 + share) * shortest), "spline"))
+        for share in MORE_TIME
+    ]
+    for name, trajectory in track(plans, "reserve", console=console):
+        for plant in ("lab", "rigid"):
+            flown = flights(trajectory, plant, args.draws)
+            rows.append({"reserve": name, "duration (s)": trajectory.duration, "plant": plant, **flown})
+    write_csv(args.out / "reserve.csv", rows)
+    console.print(as_table(rows))
+
+
+def flights(trajectory: Trajectory, plant: str, draws: int) -> dict[str, Any]:
+    """What 100 or so held-out helicopters make of a plan under the paper's controller, from starts up to 5° off."""
+    env = gym.make("Heli3DOF-v0", plant=plant, reference=trajectory, start_spread_deg=START_SPREAD_DEG)
+    policy = make_policy("feedforward+tvlqr", trajectory)
+    core: Any = env.unwrapped
+    flown = [
+        flight_metrics(fly(env, policy, seed=HELD_OUT_SEED + k), trajectory, core.voltage_limits) for k in range(draws)
+    ]
+    arrived = sum(metrics.success for metrics in flown)
+    interval = binomtest(arrived, draws).proportion_ci(method="wilson")
+    return {
+        "RMS travel (deg)": float(np.mean([metrics.rms_error_deg[0] for metrics in flown])),
+        "RMS elevation (deg)": float(np.mean([metrics.rms_error_deg[1] for metrics in flown])),
+        "success (%)": 100.0 * arrived / draws,
+        "95 % interval": f"{100.0 * interval.low:.0f} to {100.0 * interval.high:.0f}",
+    }
+
+
+def as_table(rows: list[dict[str, Any]]) -> Table:
+    """The rows as a table."""
+    table = Table(*rows[0])
+    for row in rows:
+        table.add_row(*(f"{value:.3g}" if isinstance(value, float) else str(value) for value in row.values()))
+    return table
+
+
+def write_csv(path: Path, rows: Iterable[dict[str, Any]]) -> None:
+    """The rows, under their names."""
+    rows, text = list(rows), io.StringIO()
+    writer = csv.DictWriter(text, list(rows[0]))
+    writer.writeheader()
+    writer.writerows(rows)
+    with atomic_write(path) as file:
+        file.write(text.getvalue().encode())
+
+
+PARTS: dict[str, Callable[[Args, Console], None]] = {
+    "robustness": robustness,
+    "shortest": shortest,
+    "trade-off": trade_off,
+    "methods": methods,
+    "reserve": reserve,
+}
+
+
+def main(args: Args | None = None) -> None:
+    """Run the parts asked for."""
+    args = args or tyro.cli(Args, prog="heli-compare-planners", description=__doc__)
+    console = Console()
+    check_folder("out", args.out)
+    for part in args.parts:
+        console.rule(part)
+        PARTS[part](args, console)
+
+
+if __name__ == "__main__":
+    main()

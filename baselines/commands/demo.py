@@ -1,0 +1,255 @@
+"""`heli-demo`: one page on which the helicopter is simulated in the browser; it opens from a file, without network."""
+
+import base64
+import json
+import math
+import sys
+import webbrowser
+from dataclasses import dataclass, fields, is_dataclass, replace
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import tyro
+from heli_gym.baselines.control.discrete_lqr import sampled_problem
+from heli_gym.baselines.control.estimation import ENCODER_NOISE, LEAST_LIFT, START_DEVIATIONS, Actuator
+from heli_gym.baselines.control.residual import (
+    AHEAD,
+    BEFORE,
+    DISTURBANCE_SCALE,
+    INTEGRAL_SCALE,
+    LARGEST,
+    LEARNED,
+    STATE_SCALE,
+    load_learned,
+)
+from heli_gym.baselines.control.weights import ObserverWeights, weights_of
+from heli_gym.baselines.evaluation.report import WEB, check_page, write_page
+from heli_gym.baselines.paper.boundary_value import (
+    FINE,
+    KAPPA,
+    PITCH_RESERVE,
+    ConstrainedProblem,
+    Solution,
+    solve_unconstrained,
+)
+from heli_gym.baselines.paper.tvlqr import Q, R, stationary_cost, stationary_gain
+from rich.console import Console
+from rich.progress import track
+from scipy.integrate import solve_ivp
+from scipy.linalg import solve_discrete_are
+
+from heli_gym.model import hover_input
+from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters, Limits
+from heli_gym.plant import AXES, PLANTS
+from heli_gym.rigid_body import solve_rigid_body
+from heli_gym.simulation.simulation import SUBSTEP
+from heli_gym.storage import atomic_write
+from heli_gym.task import TOLERANCE
+from heli_gym.trajectory import Maneuver
+
+PLANS = WEB / "plans.json"
+CONTROL_PERIOD = 0.02  # s, that of the environment
+DURATIONS = tuple(np.arange(8.5, 16.1, 0.5).tolist())  # s
+PITCH_LIMITS_DEG = (30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0)
+STEPS = 5  # from one duration to the next
+VOLTAGE_WINDOWS = ((0.0, 12.0), (1.0, 11.0), (2.0, 10.5), (3.0, 10.0))  # V
+ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s
+LIMIT_TOLERANCE = 1e-6  # V
+
+# What can be flown in the browser, by web/src/controllers.ts, and whether it is shown at first.
+POLICIES = (
+    {"name": "feedforward+tvlqr", "label": "the paper's controller", "shown": True},
+    {"name": "open-loop", "label": "open loop", "shown": True},
+    {"name": "residual", "label": "residual policy", "shown": True},
+    {"name": "kalman-lqr", "label": "Kalman LQR", "shown": False},
+    {"name": "hover-lqr", "label": "hover LQR", "shown": False},
+)
+NETWORK_FOR = {
+    "nominal": "lab",
+    "lab": "lab",
+    "rigid": "rigid",
+}  # of `heli_gym.baselines.control.residual.LEARNED`, by plant
+
+
+@dataclass
+class Args:
+    """Write a page on which the helicopter flies in the browser, and open it."""
+
+    out: Path = Path("out/live.html")  # the page: one file that needs nothing else
+    open: bool = True  # whether to open it
+    solve_plans: bool = False  # plan the grid of maneuvers anew that the package brings (minutes), instead
+
+
+def maneuver(duration: float, pitch_limit_deg: float, window: tuple[float, float]) -> Maneuver:
+    """The paper's rotation in another time (s), within another pitch limit (deg) and voltage window (V)."""
+    pitch_limit = math.radians(pitch_limit_deg)
+    return Maneuver(duration=duration, limits=Limits(*window, -pitch_limit, pitch_limit))
+
+
+def solve_plans(console: Console) -> dict[str, Any]:
+    """The parameters p (6,) of (39) of every plan of the grid, all that the page needs of it, and None where none was
+    found: plans[pitch limit][window][duration]."""
+    jobs = list(product(PITCH_LIMITS_DEG, VOLTAGE_WINDOWS))
+    chains = [solve_chain(*job) for job in track(jobs, "planning", console=console)]
+    n = len(VOLTAGE_WINDOWS)
+    return {
+        "durations": DURATIONS,
+        "pitch_limits_deg": PITCH_LIMITS_DEG,
+        "windows": VOLTAGE_WINDOWS,
+        "plans": [chains[n * i : n * i + n] for i in range(len(PITCH_LIMITS_DEG))],
+    }
+
+
+def solve_chain(pitch_limit_deg: float, window: tuple[float, float]) -> list[list[float] | None]:
+    """The parameters for each of DURATIONS, from the longest to the shortest, each plan the guess of the next one."""
+    plans: list[list[float]] = []
+    last: Solution | None = None
+    for duration in reversed(DURATIONS):
+        asked = maneuver(duration, pitch_limit_deg, window)
+        last = solve_from_unconstrained(asked) if last is None else shortened(last, asked)
+        if last is None or not is_sound(asked, last):
+            break
+        plans.insert(0, last.p.tolist())
+    return [*([None] * (len(DURATIONS) - len(plans))), *plans]
+
+
+def solve_from_unconstrained(asked: Maneuver) -> Solution | None:
+    """The paper's way: (14) first, then (38) from there."""
+    unconstrained = solve_unconstrained(asked)
+    problem = ConstrainedProblem(asked)
+    return unconstrained and problem.solve(problem.guess(unconstrained.stretched(asked.duration)), FINE)
+
+
+def shortened(solution: Solution, asked: Maneuver) -> Solution | None:
+    """The solution for a maneuver from that for a longer one, in small steps."""
+    found: Solution | None = solution
+    for duration in np.linspace(float(solution.t[-1]), asked.duration, STEPS + 1)[1:].tolist():
+        found = found and ConstrainedProblem(replace(asked, duration=duration)).solve(found.stretched(duration), FINE)
+    return found
+
+
+def is_sound(asked: Maneuver, solution: Solution) -> bool:
+    """Whether the voltages keep their limits (where the bounds (22) cross, they do not; the pitch always does), and
+    the page, which integrates (38) forwards from the start, arrives at the goal."""
+    problem = ConstrainedProblem(asked)
+    low, high = asked.limits.u
+    u = problem.trajectory(solution).u
+    if u.min() < low - LIMIT_TOLERANCE or u.max() > high + LIMIT_TOLERANCE:
+        return False
+
+    def rhs(t: float, Y: np.ndarray) -> np.ndarray:
+        return problem.rhs(np.array([t]), Y[:, None], solution.p)[:, 0]
+
+    start, goal = problem.ends()
+    end = solve_ivp(rhs, (0.0, asked.duration), start, rtol=1e-6, atol=1e-9, max_step=0.05).y[:, -1]
+    return bool(np.abs(end - goal).max() <= ARRIVAL_TOLERANCE)
+
+
+def live_data() -> dict[str, Any]:
+    """All numbers of the page: each stands once, in the module that it comes from."""
+    parameters, paper = HelicopterParameters(), Maneuver()
+    elevation = paper.goal[1]
+    return {
+        "parameters": parameters._asdict(),
+        "paper": {
+            "duration": paper.duration,
+            "pitch_limit_deg": round(math.degrees(paper.limits.pitch_max), 9),
+            "window": paper.limits.u,
+        },
+        "goal": paper.goal,
+        "amplifier": AMPLIFIER_LIMITS,
+        "pitch_stop": PITCH_STOP,
+        "pitch_reserve": PITCH_RESERVE,
+        "kappa": KAPPA,
+        "control_period": CONTROL_PERIOD,
+        "substep": SUBSTEP,
+        "axes": AXES,
+        "weights": {"Q": Q.tolist(), "R": R.tolist(), "M": stationary_cost(elevation, parameters, Q, R).tolist()},
+        "hover_gain": stationary_gain(elevation, parameters).tolist(),
+        "features": {
+            "tolerance": TOLERANCE,
+            "state_scale": STATE_SCALE.tolist(),
+            "integral_scale": INTEGRAL_SCALE,
+            "disturbance_scale": DISTURBANCE_SCALE,
+            "ahead": AHEAD,
+            "before": BEFORE,
+            "largest": LARGEST,
+        },
+        "networks": {name: stored_network(name, elevation, parameters) for name in sorted(set(NETWORK_FOR.values()))},
+        "network_for": NETWORK_FOR,
+        "plants": {name: plain(plant) for name, plant in PLANTS.items()},
+        "rig": solve_rigid_body("A")._asdict(),
+        "policies": POLICIES,
+        "grid": json.loads(PLANS.read_text()),
+    }
+
+
+def kalman_data(name: str, elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
+    """What a policy with a Kalman filter assumes; M is the cost of holding hover at an elevation in rad for ever."""
+    weights = weights_of(name)
+    assert isinstance(weights, ObserverWeights)
+    hover = np.array([0.0, 0.0, elevation, 0.0, 0.0, 0.0])[:, None], hover_input(elevation, parameters)[:, None]
+    A, B, cost, effort = sampled_problem(*hover, CONTROL_PERIOD, parameters, weights, Actuator().lag)
+    M = solve_discrete_are(A[0], B[0], cost, effort)
+    return {
+        "actuator": Actuator()._asdict(),
+        "weights": {"Q": (cost / CONTROL_PERIOD).tolist(), "R": weights.R.tolist(), "M": M.tolist()},
+        "noise": weights.noise._asdict(),
+        "encoder_noise": ENCODER_NOISE,
+        "start_deviations": START_DEVIATIONS,
+        "least_lift": LEAST_LIFT,
+    }
+
+
+def stored_network(name: str, elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
+    """A network that comes with the package: what it corrects, and its layers as base64 of float32, row by row."""
+    settings, network = load_learned(LEARNED / name)
+
+    def packed(values: np.ndarray) -> str:
+        return base64.b64encode(values.astype("<f4").tobytes()).decode()
+
+    return {
+        "base": kalman_data(settings.base, elevation, parameters),
+        "sees": settings.sees,
+        "scale": settings.scale,
+        "squashes": network.squashes,
+        "layers": [
+            {"weight": packed(weight), "bias": packed(bias)} for weight, bias in zip(network.weights, network.biases)
+        ],
+    }
+
+
+def plain(value: Any) -> Any:
+    """A plant, drawn or not, as JSON can hold it: records by their fields, and None for infinity."""
+    if is_dataclass(value):
+        return {f.name: plain(getattr(value, f.name)) for f in fields(value)}
+    if hasattr(value, "_asdict"):
+        return {name: plain(part) for name, part in value._asdict().items()}
+    if isinstance(value, tuple):
+        return [plain(part) for part in value]
+    return None if value == math.inf else value
+
+
+def main(args: Args | None = None) -> None:
+    """The command `heli-demo`."""
+    args = args or tyro.cli(Args, prog="heli-demo")
+    console = Console()
+    if args.solve_plans:
+        with atomic_write(PLANS) as file:
+            file.write(json.dumps(solve_plans(console)).encode())
+        console.print(f"plans: {PLANS}")
+        return
+    try:
+        check_page("out", args.out)
+    except ValueError as error:
+        sys.exit(f"heli-demo: {error}")
+    write_page(args.out, "live", "heli_gym: fly the helicopter", live_data())
+    console.print(f"page: {args.out}")
+    if args.open:
+        webbrowser.open(args.out.absolute().as_uri())
+
+
+if __name__ == "__main__":
+    main()

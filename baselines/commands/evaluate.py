@@ -1,0 +1,327 @@
+"""`heli-evaluate`: fly the policies, print one table, write results.json and the paper's figures."""
+
+import json
+import sys
+import time
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import tyro
+from heli_gym.baselines.control.policies import POLICIES, is_learned, make_policy
+from heli_gym.baselines.evaluation import figures
+from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
+from heli_gym.baselines.evaluation.report import check_page, write_report
+from heli_gym.baselines.evaluation.rollout import fly, fly_many
+from heli_gym.baselines.paper.normal_form import thrust_bounds, v2_bounds
+from heli_gym.baselines.paper.tvlqr import riccati_gains
+from heli_gym.baselines.planning.planner import plan, plan_unconstrained
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+from scipy.stats import bootstrap
+
+from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.plant import HELD_OUT_SEED
+from heli_gym.storage import atomic_write, check_folder
+from heli_gym.task import TOLERANCE
+from heli_gym.trajectory import Maneuver, Trajectory
+from heli_gym.vector_env import Heli3DOFVectorEnv
+
+PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
+FIGURE_START_DEG = (-5.0, 5.0)  # travel and elevation off the reference, where the flights of Figs. 10 and 11 start
+CONFIDENCE = 0.95
+NOT_COMPARED = ("residual", "residual-rigid", "middle-voltage", "zero")  # unless they are asked for
+COMPARED = tuple(name for name in POLICIES if name not in NOT_COMPARED)
+COLUMNS = (
+    "start",
+    "policy",
+    "RMS travel\n(deg)",
+    "RMS elevation\n(deg)",
+    "RMS pitch\n(deg)",
+    "at the end\n(deg)",
+    "peak pitch\n(deg)",
+    "saturated\n(%)",
+    "cost\n(s)",
+    "return\n(s)",
+    "flown\n(s)",
+    "success\n(%)",
+    "wall time\n(s)",
+)
+TOLERANCES = " / ".join(f"{degrees:.3g}" for degrees in np.degrees(TOLERANCE))
+CAPTION = (
+    "means; ± half the 95 % bootstrap interval; RMS errors over the time flown; at the end: the largest of the three; "
+    "saturated: time with a voltage at a limit of the amplifier; cost: excess over the planned limits, in their widths "
+    "times s; return: seconds flown on the reference; success: flown to the end of the maneuver, every error within "
+    f"its tolerance there ({TOLERANCES} degrees and degrees/s, in the order of the state: "
+    "travel, elevation and pitch, each with its rate)"
+)
+
+
+@dataclass
+class Args:
+    """Fly the policies along a reference: once from its start at the paper's sampling time of 1 ms (on a plant that is
+    not drawn), and in many episodes from perturbed starts. Every policy flies the same episodes."""
+
+    policies: tuple[str, ...] = COMPARED  # which to fly: names, or paths of learned policies, .json
+    reference: str = "travel-360"  # a packaged reference, or an .npz file that heli-plan wrote
+    plant: str = "nominal"  # what is flown: nominal, lab or rigid; the latter two are drawn anew in each episode
+    episodes: int = 10  # from perturbed starts
+    seed: int = HELD_OUT_SEED  # of the first episode; the others count on. Tuning and training stay below the default
+    control_period: float = 0.02  # s, in these episodes
+    start_spread_deg: float = 5.0  # how far each angle of their starts may be off
+    out: Path = Path("out")  # folder for results.json and the figures
+    figures: bool = True  # whether to draw the paper's figures
+    report: Path | None = None  # a page to write, .html: the table, interactive plots and a replay of the flights in 3D
+
+
+class Flight(NamedTuple):
+    """One flight, and what it is judged by."""
+
+    policy: str
+    start: str
+    control_period: float
+    seed: int
+    wall_time: float  # s, its share of that of the flights that were flown with it
+    metrics: Metrics
+    trajectory: Trajectory
+
+
+def evaluate(args: Args, console: Console) -> list[Flight]:
+    """Fly every policy: once exactly, and then the episodes."""
+    check_folder("out", args.out)
+    if args.report is not None:
+        check_page("report", args.report)
+    if not args.policies or len(set(args.policies)) < len(args.policies):
+        raise ValueError(f"policies = {args.policies}: at least one is needed, and none twice")
+    if args.episodes < 1:
+        raise ValueError(f"episodes = {args.episodes}: at least 1 is needed")
+    if args.seed < 0:
+        raise ValueError(f"seed = {args.seed}: at least 0 is needed")
+    exact = Heli3DOFEnv(args.plant, args.reference, PAPER_PERIOD)
+    reference = exact.reference
+    perturbed = Heli3DOFVectorEnv(
+        args.episodes,
+        args.plant,
+        reference,
+        control_period=args.control_period,
+        start_spread_deg=args.start_spread_deg,
+    )
+    # All that can be refused is made before the first flight.
+    policies = {name: make_policy(name, reference, args.control_period) for name in args.policies}
+    # what was learned flies at its own control period only
+    jobs = [] if exact.plant.is_random else [("exact", name) for name in args.policies if not is_learned(name)]
+    jobs += [("perturbed", name) for name in args.policies]
+    flights = []
+    for start, name in track(jobs, "flying", console=console):
+        env = exact if start == "exact" else perturbed
+        policy = make_policy(name, reference, PAPER_PERIOD) if env is exact else policies[name]
+        began = time.perf_counter()
+        group = [fly(exact, policy, seed=args.seed)] if env is exact else fly_many(perturbed, policy, args.seed)
+        wall_time = (time.perf_counter() - began) / len(group)
+        for k, flight in enumerate(group):
+            metrics = flight_metrics(flight, reference, env.voltage_limits)
+            flights.append(Flight(name, start, env.control_period, args.seed + k, wall_time, metrics, flight))
+    return flights
+
+
+def flight_row(flight: Flight) -> dict[str, Any]:
+    """A flight in results.json: all but where it went."""
+    row = {**flight._asdict(), "metrics": flight.metrics._asdict()}
+    del row["trajectory"]
+    return row
+
+
+def summarise(flights: Sequence[Flight]) -> list[dict[str, Any]]:
+    """One entry per start and policy: the mean of every metric, with its bootstrapped confidence interval."""
+    groups = dict.fromkeys((flight.start, flight.policy) for flight in flights)
+    rows = []
+    for start, policy in groups:
+        group = [flight for flight in flights if (flight.start, flight.policy) == (start, policy)]
+        row: dict[str, Any] = {"start": start, "policy": policy, "episodes": len(group)}
+        for name in (*Metrics._fields, "wall_time"):
+            values = [flight.wall_time if name == "wall_time" else getattr(flight.metrics, name) for flight in group]
+            row[name] = with_interval(np.array(values, dtype=float))
+        rows.append(row)
+    return rows
+
+
+def with_interval(values: np.ndarray) -> dict[str, Any]:
+    """Mean of values (episodes, ...), and the bounds of its interval where there is something to resample."""
+    mean = values.mean(axis=0)
+    if len(values) < 2 or np.all(values == values[0]):
+        return {"mean": mean.tolist(), "interval": None}
+    interval = bootstrap(
+        (values,), np.mean, axis=0, confidence_level=CONFIDENCE, method="percentile", rng=np.random.default_rng(0)
+    ).confidence_interval
+    return {"mean": mean.tolist(), "interval": [interval.low.tolist(), interval.high.tolist()]}
+
+
+def subject(args: Args) -> str:
+    """What is flown."""
+    return f"{Path(args.reference).name} on the plant {args.plant}"
+
+
+def table_title(args: Args, rows: Iterable[dict[str, Any]]) -> str:
+    """What the table with these rows is about."""
+    off, period = f"{args.start_spread_deg:g}°", f"{args.control_period * 1e3:g} ms"
+    starts = {
+        "exact": f"exact start at {PAPER_PERIOD * 1e3:g} ms",
+        "perturbed": f"perturbed: {args.episodes} starts up to {off} off at {period}",
+    }
+    shown = dict.fromkeys(row["start"] for row in rows)
+    return f"{subject(args)}: {'; '.join(starts[start] for start in shown)}"
+
+
+def table_cells(row: dict[str, Any]) -> list[str]:
+    """One row under COLUMNS: means, and for the RMS errors half the width of the interval."""
+    mean = {name: value["mean"] for name, value in row.items() if isinstance(value, dict)}
+    interval = row["rms_error_deg"]["interval"]
+    rms = [f"{value:.4f}" if interval is None else f"{value:.2f}" for value in mean["rms_error_deg"]]
+    if interval is not None:
+        rms = [f"{value} ± {(high - low) / 2:.2f}" for value, low, high in zip(rms, *interval)]
+    return [
+        row["start"],
+        row["policy"],
+        *rms,
+        f"{max(mean['terminal_error_deg']):.3f}",
+        f"{mean['peak_pitch_deg']:.1f}",
+        f"{100 * mean['saturated']:.1f}",
+        f"{mean['cost']:.4f}",
+        f"{mean['episode_return']:.2f}",
+        f"{mean['flown']:.2f}",
+        f"{100 * mean['success']:.0f}",
+        f"{mean['wall_time']:.2f}",
+    ]
+
+
+def results_table(rows: Sequence[dict[str, Any]], args: Args) -> Table:
+    """What is printed."""
+    table = Table(title=table_title(args, rows), caption=CAPTION)
+    for name in COLUMNS:
+        table.add_column(name, justify="left" if name in ("start", "policy") else "right")
+    previous = None
+    for row in rows:
+        if previous not in (None, row["start"]):
+            table.add_section()
+        previous = row["start"]
+        table.add_row(*table_cells(row))
+    return table
+
+
+def report_flights(flights: Iterable[Flight]) -> dict[str, dict[str, Trajectory]]:
+    """What the report replays, by start and policy: of each the first flight."""
+    shown: dict[str, dict[str, Trajectory]] = {}
+    for flight in flights:
+        period = f"{flight.control_period * 1e3:g} ms"
+        label = f"exact start, {period}" if flight.start == "exact" else f"perturbed start, {period}, first episode"
+        shown.setdefault(label, {}).setdefault(flight.policy, flight.trajectory)
+    return shown
+
+
+def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: Maneuver) -> list[dict[str, Any]]:
+    """What the paper's text states of the maneuver, beside what this code computes."""
+    p, limits = maneuver.parameters, maneuver.limits
+    window = f"{limits.u_min:g} to {limits.u_max:g} V"
+    pitch_window = f"within ±{np.degrees(limits.pitch_max):g}°"
+
+    def pitch(trajectory):
+        return f"{np.degrees(trajectory.x[4].min()):.2f}° to {np.degrees(trajectory.x[4].max()):.2f}°"
+
+    def voltages(trajectory):
+        return f"{trajectory.u.min():.2f} to {trajectory.u.max():.2f} V"
+
+    statements = [
+        ("v2± of (18), Section III-D", f"±{figures.PAPER_V2} N", f"±{v2_bounds(thrust_bounds(limits, p))[1]:.4f} N"),
+        ("|a3|/b3 of (43)", f"{figures.PAPER_LEAST_V2} N", f"{abs(p.a3) / p.b3:.4f} N"),
+        ("duration T of (8)", f"{maneuver.duration:g} s", f"{constrained.duration:g} s"),
+        ("pitch without constraints, Fig. 4", f"leaves ±{np.degrees(limits.pitch_max):g}°", pitch(unconstrained)),
+        ("voltages without constraints, Fig. 4", f"both exceed {limits.u_max:g} V", voltages(unconstrained)),
+        ("pitch with constraints, Fig. 8", pitch_window, pitch(constrained)),
+        ("voltages with constraints, Fig. 8", f"within {window}", voltages(constrained)),
+    ]
+    return [{"what": what, "paper": paper, "here": here} for what, paper, here in statements]
+
+
+def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory, console: Console) -> None:
+    """Every figure of the paper but its photographs and schematics; Figs. 10 and 11 of what is flown."""
+    maneuver = Maneuver()
+    parameters, limits = maneuver.parameters, maneuver.limits
+    env = Heli3DOFEnv(args.plant, args.reference, PAPER_PERIOD)
+    reference, title = env.reference, f"{subject(args)} at {PAPER_PERIOD * 1e3:g} ms"
+    start = reference.x[:, 0].copy()
+    start[[0, 2]] += np.radians(FIGURE_START_DEG)
+    flights = {
+        name: fly(env, make_policy(name, reference, PAPER_PERIOD), seed=args.seed, options={"state": start})
+        for name in ("open-loop", "feedforward+tvlqr")
+    }
+    drawings = {
+        "fig02-thrust-map": figures.thrust_map(parameters),
+        "fig04-unconstrained": figures.feedforward(unconstrained, parameters, "Fig. 4: without constraints"),
+        "fig05-input-constraints": figures.input_constraints(limits, parameters),
+        "fig06-smooth-saturation": figures.smooth_saturation(limits.pitch),
+        "fig07-ramp-saturation": figures.ramp_saturation(),
+        "fig08-constrained": figures.feedforward(constrained, parameters, "Fig. 8: with constraints"),
+        "fig09-gains": figures.gains(riccati_gains(constrained)),
+        "fig10-angles": figures.angles(reference, flights, title),
+        "fig11-voltages": figures.voltages(reference, flights, title),
+        "overview": figures.overview(reference, {"feedforward+tvlqr": flights["feedforward+tvlqr"]}, title),
+    }
+    for name, figure in track(drawings.items(), "drawing", console=console):
+        figures.save(figure, args.out / f"{name}.png")
+
+
+def main(args: Args | None = None) -> None:
+    """The command `heli-evaluate`."""
+    args = args or tyro.cli(Args, prog="heli-evaluate")
+    console = Console(width=None if sys.stdout.isatty() else 180)
+    try:
+        flights = evaluate(args, console)
+    except ValueError as error:
+        sys.exit(f"heli-evaluate: {error}")
+    rows = summarise(flights)
+    console.print(results_table(rows, args))
+
+    maneuver = Maneuver()
+    unconstrained, constrained = plan_unconstrained(maneuver), plan(maneuver)
+    numbers = paper_numbers(unconstrained, constrained, maneuver)
+    table = Table(title="The paper's numbers")
+    for name in ("what", "paper", "here"):
+        table.add_column(name)
+    for number in numbers:
+        table.add_row(*number.values())
+    console.print(table)
+
+    results = {
+        "version": version("heli-gym"),
+        "settings": {name: str(value) if isinstance(value, Path) else value for name, value in asdict(args).items()},
+        "paper": numbers,
+        "summary": rows,
+        "flights": [flight_row(flight) for flight in flights],
+    }
+    with atomic_write(args.out / "results.json") as file:
+        file.write(json.dumps(results, indent=1).encode())
+    if args.figures:
+        draw_figures(args, unconstrained, constrained, console)
+    if args.report is not None:
+        write_report(
+            args.report,
+            title=subject(args),
+            table={
+                "title": table_title(args, rows),
+                "caption": CAPTION,
+                "columns": COLUMNS,
+                "rows": [*map(table_cells, rows)],
+            },
+            reference=find_reference(args.reference),
+            flights=report_flights(flights),
+        )
+        console.print(f"report: {args.report}")
+    console.print(f"written to {args.out}")
+
+
+if __name__ == "__main__":
+    main()

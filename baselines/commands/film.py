@@ -1,0 +1,127 @@
+"""`heli-film`: flights of several policies side by side, as a GIF."""
+
+import math
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import gymnasium as gym
+import numpy as np
+import tyro
+from heli_gym.baselines.control.policies import make_policy
+from heli_gym.baselines.evaluation.rollout import fly
+
+from heli_gym.env import Heli3DOFEnv
+from heli_gym.plant import HELD_OUT_SEED
+from heli_gym.rendering import Renderer, Scene
+from heli_gym.storage import atomic_write
+from heli_gym.trajectory import Trajectory
+
+COLOURS = 96  # of the GIF; most are shades of grey
+LAST = 2.0  # s, for which the last picture stays
+
+
+@dataclass
+class Args:
+    """Fly policies along a reference from its exact start, on the same draw of a plant, and film them side by side."""
+
+    policies: tuple[str, ...] = ("feedforward+tvlqr", "residual")  # which to fly, from the left to the right
+    plant: str = "lab"  # what is flown: nominal, lab or rigid
+    reference: str = "travel-360"  # a packaged reference, or an .npz file that heli-plan wrote
+    seed: int = HELD_OUT_SEED  # of the episode
+    width: int = 440  # of each picture in pixels, a multiple of 8
+    frame_time: float = 0.06  # s, a multiple of 0.01
+    out: Path = Path("out/flight.gif")  # where the film goes
+
+
+def film(flights: Mapping[str, Trajectory], env: Heli3DOFEnv, width: int, frame_time: float) -> list[np.ndarray]:
+    """Pictures (H, W, 3), uint8, of the flights side by side, every frame_time seconds; the last one shows their ends.
+
+    Raises ValueError for a width that `Renderer` refuses, gymnasium.error.DependencyNotInstalled without pygame.
+    """
+    renderer = Renderer(width)
+    end = max(flight.duration for flight in flights.values())
+    times = np.minimum(frame_time * np.arange(math.ceil(end / frame_time - 1e-9) + 1), end)
+    return [
+        np.concatenate([renderer.frame(scene(flight, env, t, title)) for title, flight in flights.items()], axis=1)
+        for t in times.tolist()
+    ]
+
+
+def scene(flight: Trajectory, env: Heli3DOFEnv, t: float, title: str) -> Scene:
+    """A flight in an environment at the time t in s, or its end if it was over by then."""
+    reference = env.reference
+    over = t > flight.duration
+    t = min(t, flight.duration)
+    held = max(int(np.searchsorted(flight.t, t, side="right")) - 1, 0)
+    state, nominal = flight(t)[0], reference(t)
+    return Scene(
+        state=state.tolist(),
+        voltage=flight.u[:, held].tolist(),
+        reference=nominal[0].tolist(),
+        nominal_voltage=nominal[1].tolist(),
+        time=t,
+        duration=reference.duration,
+        travel_start=float(reference.x[0, 0]),
+        limits=reference.limits,
+        voltage_limits=env.voltage_limits,
+        pitch_limit=env.pitch_limit,
+        title=title,
+        note=f"ended: pitch beyond {math.degrees(env.pitch_limit):.0f}°" if over else "",
+    )
+
+
+def write_gif(pictures: Sequence[np.ndarray], frame_time: float, path: Path) -> None:
+    """Write pictures (H, W, 3), uint8, as a GIF that repeats for ever, all with one palette.
+
+    Raises ValueError for a frame time that no GIF has, gymnasium.error.DependencyNotInstalled without Pillow.
+    """
+    milliseconds = delay(frame_time)
+    try:
+        from PIL import Image
+    except ImportError as error:
+        raise gym.error.DependencyNotInstalled(
+            'Pillow is not installed: `pip install "heli-gym[eval]"` brings it'
+        ) from error
+    samples = np.concatenate([picture[::2, ::2] for picture in pictures[:: max(len(pictures) // 12, 1)]])
+    palette = Image.fromarray(samples).quantize(COLOURS)
+    images = [Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
+    durations = [milliseconds] * (len(images) - 1) + [round(1000.0 * LAST)]  # ms
+    with atomic_write(path) as file:
+        images[0].save(file, "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0, optimize=True)
+
+
+def delay(frame_time: float) -> int:
+    """The milliseconds that a GIF shows a picture for. Raises ValueError for a time in s that no GIF has."""
+    hundredths = round(100.0 * frame_time) if math.isfinite(frame_time) else 0
+    if hundredths < 2 or abs(100.0 * frame_time - hundredths) > 1e-6:
+        raise ValueError(f"frame_time = {frame_time!r}: a multiple of 0.01 s from 0.02 s on is needed")
+    return 10 * hundredths
+
+
+def main(args: Args | None = None) -> None:
+    """The command `heli-film`."""
+    args = args or tyro.cli(Args, prog="heli-film")
+    try:
+        if not args.policies or len(set(args.policies)) < len(args.policies):
+            raise ValueError(f"policies = {args.policies}: at least one is needed, and none twice")
+        if args.seed < 0:
+            raise ValueError(f"seed = {args.seed}: at least 0 is needed")
+        if args.out.suffix != ".gif":
+            raise ValueError(f"out = {str(args.out)!r}: a name that ends in .gif is needed")
+        delay(args.frame_time)
+        env = Heli3DOFEnv(args.plant, args.reference)
+        policies = {
+            name: make_policy(name, env.reference, env.control_period, voltage_limits=env.voltage_limits)
+            for name in args.policies
+        }
+        flights = {name: fly(env, policy, seed=args.seed) for name, policy in policies.items()}
+        write_gif(film(flights, env, args.width, args.frame_time), args.frame_time, args.out)
+    except (ValueError, gym.error.DependencyNotInstalled) as error:
+        sys.exit(f"heli_gym.baselines.commands.film: {error}")
+    print(f"{args.out}: {args.out.stat().st_size / 1e6:.2f} MB")
+
+
+if __name__ == "__main__":
+    main()

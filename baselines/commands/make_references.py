@@ -1,0 +1,170 @@
+"""The maneuver suite: what `gym.make("Heli3DOF-v0", reference=name)` knows. `heli-make-references` makes it anew.
+
+Most are plans of Section III-D from rest to rest. The elevation sine and the take-off prescribe travel and elevation
+over time, which by (3) determines the pitch, the thrusts and so the voltages.
+"""
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from math import atan2, pi, radians
+from pathlib import Path
+
+import numpy as np
+import tyro
+from heli_gym.baselines.paper.normal_form import feedforward
+from heli_gym.baselines.planning.planner import plan
+from numpy.polynomial import Polynomial
+from rich.console import Console
+from scipy.interpolate import make_interp_spline, make_lsq_spline
+
+from heli_gym.env import REFERENCES
+from heli_gym.model import fan_thrusts, voltage
+from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.storage import check_folder
+from heli_gym.trajectory import Maneuver, Trajectory, joined
+
+# s, between the samples that are stored. Replayed through (3), they stay within 2e-4 rad and rad/s.
+SAMPLE_PERIOD = 0.04
+CORNERED_PERIOD = 0.005  # of the paper's maneuver: its voltages have corners, where they meet their limits
+INVERSION_PERIOD = 1e-3  # s, of the grid on which (3) is inverted
+ROUNDING = 1e-12  # N, by which a lift of zero may be missed
+
+# From rest to rest with zero second and third derivatives at both ends: the thrust leaves zero like t², and the
+# voltage, its root, like t. (After the setup polynomial of Section III-B it would be the root of t.)
+SMOOTH_RISE = Polynomial([0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0])
+TAKE_OFF_DURATION = 8.0  # s
+
+SINE_DURATION = 20.0  # s: one period of the travel, four of the elevation
+SINE_TRAVEL, SINE_ELEVATION = radians(45.0), radians(7.5)  # amplitudes
+
+
+def ground_elevation(parameters: HelicopterParameters) -> float:
+    """Elevation in rad at which (3) is at rest without any thrust: tan(q2) = -a2 / a1, below level."""
+    return atan2(parameters.a2, -parameters.a1)
+
+
+def inverted(
+    t: np.ndarray, travel: np.ndarray, elevation: np.ndarray, limits: Limits, parameters: HelicopterParameters
+) -> Trajectory:
+    """The flight through (3) with this travel and elevation: (3, K) each, with two derivatives, in rad and s.
+
+    `limits` are only noted down, not enforced. The second derivative of the pitch, which v2 needs, is that of a spline
+    through its values, so that t (K,) has to be fine.
+
+    Raises ValueError if the elevation needs a thrust that points downwards.
+    """
+    (q1, dq1, ddq1), (q2, dq2, ddq2), p = travel, elevation, parameters
+    sideways = ddq1 / (p.b1 * np.cos(q2))  # v1 sin(q3), by (3a)
+    lift = (ddq2 - p.a1 * np.sin(q2) - p.a2 * np.cos(q2)) / p.b2  # v1 cos(q3), by (3b)
+    if lift.min() < -ROUNDING:
+        raise ValueError(f"elevation: falls faster than without thrust; a lift of {lift.min():g} N would be needed")
+    lift = np.maximum(lift, 0.0)
+    q3 = np.arctan2(sideways, lift)
+    pitch = make_interp_spline(t, q3, k=5)
+    _, v2 = feedforward(q2, q3, ddq2, pitch.derivative(2)(t), p)
+    u = voltage(fan_thrusts((np.hypot(sideways, lift), v2)), p)
+    return Trajectory(t, np.stack((q1, dq1, q2, dq2, q3, pitch.derivative(1)(t))), u, limits)
+
+
+def inversion_times(duration: float) -> np.ndarray:
+    """Times (K,) in s at which a motion is prescribed."""
+    return np.linspace(0.0, duration, 1 + round(duration / INVERSION_PERIOD))
+
+
+def elevation_sine() -> Trajectory:
+    """Elevation and, four times slower, travel swing sinusoidally, from the first moment on: nothing is at rest."""
+    t = inversion_times(SINE_DURATION)
+
+    def sine(amplitude: float, period: float) -> np.ndarray:
+        w = 2.0 * pi / period
+        return amplitude * np.stack((np.sin(w * t), w * np.cos(w * t), -(w**2) * np.sin(w * t)))
+
+    travel, elevation = sine(SINE_TRAVEL, SINE_DURATION), sine(SINE_ELEVATION, SINE_DURATION / 4.0)
+    return inverted(t, travel, elevation, Limits(), HelicopterParameters())
+
+
+def take_off() -> Trajectory:
+    """From rest without thrust, 18.6 degrees below level, up to level; the voltages start at 0 V."""
+    parameters, T = HelicopterParameters(), TAKE_OFF_DURATION
+    ground, t = ground_elevation(parameters), inversion_times(T)
+    elevation = np.stack([-ground * SMOOTH_RISE.deriv(n)(t / T) / T**n for n in range(3)])
+    elevation[0] += ground
+    return inverted(t, np.zeros_like(elevation), elevation, Limits(u_min=0.0), parameters)
+
+
+def planned(travel_deg: float, elevation_deg: float, duration: float, start_deg: float = 0.0) -> Trajectory:
+    """A plan within the paper's limits from a travel at level to a travel and elevation, in degrees and s."""
+    goal = radians(travel_deg), radians(elevation_deg)
+    return plan(Maneuver((radians(start_deg), 0.0), goal, duration), method="paper")
+
+
+def return_trip() -> Trajectory:
+    """Half a turn and back."""
+    return joined(planned(180.0, 0.0, 10.0), planned(0.0, 0.0, 10.0, start_deg=180.0))
+
+
+# Elevation is positive downwards.
+SUITE: dict[str, Callable[[], Trajectory]] = {
+    "travel-360": partial(plan, Maneuver(), method="paper"),
+    "travel-360-slow": partial(planned, 360.0, 0.0, 15.0),
+    "travel-180": partial(planned, 180.0, 0.0, 10.0),
+    "climb-7.5": partial(planned, 0.0, -7.5, 5.0),
+    "descend-7.5": partial(planned, 0.0, 7.5, 5.0),
+    "climb-15": partial(planned, 0.0, -15.0, 7.0),
+    "back-60-descend": partial(planned, -60.0, 5.0, 7.0),
+    "travel-90-climb": partial(planned, 90.0, -7.5, 8.0),
+    "return-180": return_trip,
+    "elevation-sine": elevation_sine,
+    "take-off": take_off,
+}
+
+
+def packaged(name: str) -> Trajectory:
+    """A reference of the suite by its name, solved, and sampled as it is stored."""
+    return resampled(SUITE[name](), CORNERED_PERIOD if name == "travel-360" else SAMPLE_PERIOD)
+
+
+def resampled(trajectory: Trajectory, period: float) -> Trajectory:
+    """The trajectory with samples this many seconds apart, or nearly so, of many more.
+
+    The states are its own, and the voltages at the ends. The others are those whose linear interpolation comes closest
+    to its own in the mean square, within its limits: chords of a curve are all on the same side of it, and what (3)
+    makes of that in four integrations, from pitch to travel, grows for as long as it flies.
+    """
+    times = np.linspace(0.0, trajectory.duration, 1 + round(trajectory.duration / period))
+    knots = np.concatenate((times[:1], times, times[-1:]))
+    u = make_lsq_spline(trajectory.t, trajectory.u.T, knots, k=1)(times).T
+    u[:, [0, -1]] = trajectory.u[:, [0, -1]]
+    return Trajectory(times, trajectory(times)[0], np.clip(u, *trajectory.limits.u), trajectory.limits)
+
+
+@dataclass
+class Args:
+    """Solve every maneuver of the suite and store it."""
+
+    out: Path = REFERENCES  # folder; by default the package's own
+
+
+def main(args: Args | None = None) -> None:
+    """The command `heli-make-references`."""
+    args = args or tyro.cli(Args, prog="heli-make-references", description=__doc__)
+    console = Console()
+    try:
+        check_folder("out", args.out)
+    except ValueError as error:
+        sys.exit(f"heli_gym.baselines.commands.make_references: {error}")
+    for name in SUITE:
+        reference = packaged(name)
+        path = args.out / f"{name}.npz"
+        reference.save(path)
+        pitch = np.degrees(reference.x[4])
+        console.print(
+            f"{name}: {reference.duration:g} s, pitch {pitch.min():.1f}° to {pitch.max():.1f}°, voltages "
+            f"{reference.u.min():.2f} to {reference.u.max():.2f} V, {path.stat().st_size / 1000:.0f} kB"
+        )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,106 @@
+"""`heli-plan`: plan a maneuver, print what it takes, save it and draw it."""
+
+import sys
+import time
+from dataclasses import dataclass
+from math import degrees, isfinite, radians
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+import tyro
+from heli_gym.baselines.evaluation import figures
+from heli_gym.baselines.planning.feasibility import InfeasibleManeuver
+from heli_gym.baselines.planning.planner import plan, plan_fastest
+from rich.console import Console
+
+from heli_gym.parameters import Limits
+from heli_gym.storage import check_folder
+from heli_gym.trajectory import Maneuver, Trajectory
+
+PAPERS = Maneuver()
+
+
+@dataclass
+class Args:
+    """Plan a maneuver from rest to rest. The defaults are the paper's 360° rotation, (8) and (9)."""
+
+    travel_deg: float = degrees(PAPERS.goal[0])  # travel at the goal
+    elevation_deg: float = degrees(PAPERS.goal[1])  # elevation at the goal, positive downwards
+    duration: float = PAPERS.duration  # s
+    start_travel_deg: float = degrees(PAPERS.start[0])  # travel at the start
+    start_elevation_deg: float = degrees(PAPERS.start[1])  # elevation at the start
+    pitch_limit_deg: float = degrees(PAPERS.limits.pitch_max)  # on both sides
+    u_min: float = PAPERS.limits.u_min  # V
+    u_max: float = PAPERS.limits.u_max  # V
+    method: Literal["auto", "paper", "spline", "flat", "collocation"] = "auto"  # the last needs the extra ocp
+    fastest: bool = False  # whether to look for the shortest duration, up to the one given
+    reserve: float = 0.0  # share of the windows of voltages and pitch that the fastest plan leaves to the feedback
+    time_limit: float | None = None  # s, for planning
+    out: Path = Path("out/plan.npz")  # where the plan goes; its picture goes beside it
+    figure: bool = True  # whether to draw the picture
+
+
+def asked(args: Args) -> Maneuver:
+    """The maneuver that the arguments ask for. Raises ValueError for those that make none, by their own names."""
+    for name in ("travel_deg", "elevation_deg", "start_travel_deg", "start_elevation_deg"):
+        if not isfinite(getattr(args, name)):
+            raise ValueError(f"{name} = {getattr(args, name)!r}: a finite number of degrees is needed")
+    if not 0.0 < args.pitch_limit_deg < 90.0:
+        raise ValueError(f"pitch_limit_deg = {args.pitch_limit_deg!r}: more than 0 and less than 90 degrees are needed")
+    pitch = radians(args.pitch_limit_deg)
+    limits = Limits(args.u_min, args.u_max, -pitch, pitch)
+    for name in ("start_elevation_deg", "elevation_deg"):
+        point = (0.0, radians(getattr(args, name)))
+        try:
+            Maneuver(point, point, limits=limits)
+        except ValueError as error:
+            _, _, reason = str(error).partition(": ")
+            raise ValueError(f"{name} = {getattr(args, name)!r}: {reason}") from error
+    return Maneuver(
+        start=(radians(args.start_travel_deg), radians(args.start_elevation_deg)),
+        goal=(radians(args.travel_deg), radians(args.elevation_deg)),
+        duration=args.duration,
+        limits=limits,
+    )
+
+
+def planned(maneuver: Maneuver, args: Args) -> Trajectory:
+    """The plan of the maneuver, in its duration or as fast as possible."""
+    if args.fastest:
+        return plan_fastest(maneuver, args.method, args.reserve, args.time_limit)
+    if args.reserve:
+        raise ValueError(
+            f"reserve = {args.reserve!r}: only the fastest plan has one; tighter limits are for the others"
+        )
+    return plan(maneuver, args.method, args.time_limit)
+
+
+def main(args: Args | None = None) -> None:
+    """The command `heli-plan`."""
+    args = args or tyro.cli(Args, prog="heli-plan")
+    console = Console()
+    began = time.perf_counter()
+    try:
+        if args.out.suffix != ".npz" or args.out.is_dir():
+            raise ValueError(f"out = {str(args.out)!r}: the name of a file that ends in .npz is needed")
+        check_folder("out", args.out.parent)
+        maneuver = asked(args)
+        trajectory = planned(maneuver, args)
+        console.print(f"{maneuver}: planned in {time.perf_counter() - began:.2f} s")
+        trajectory.save(args.out)
+    except (ValueError, ImportError, InfeasibleManeuver) as error:
+        sys.exit(f"heli-plan: {error}")
+    pitch = np.degrees(trajectory.x[4])
+    console.print(
+        f"{trajectory.duration:.3f} s, pitch {pitch.min():.2f}° to {pitch.max():.2f}°, voltages "
+        f"{trajectory.u.min():.2f} V to {trajectory.u.max():.2f} V\nplan: {args.out}"
+    )
+    if args.figure:
+        picture = args.out.with_suffix(".png")
+        figures.save(figures.feedforward(trajectory, maneuver.parameters, "Plan"), picture)
+        console.print(f"picture: {picture}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,144 @@
+"""Whether the weights of a policy could be better: `heli-tune --policy lqi` tells.
+
+Every policy gets the same budget: the same helicopters, as many candidates, and the same information. What is maximised
+is what a learner would maximise, over fixed draws at the default control period: the environment's mean return, or what
+`heli-train` trains for. The best is then judged on other draws. By default, half of the helicopters are nominal and the
+others are draws of the plant `lab`; all start up to 5 degrees off. (Without the nominal ones, or without the delay that
+`lab` has, the gains that come out may chatter.)
+
+With --store, the weights are kept for the policy `NAME@PLANT`: `--policy kalman-lqr --plants lab --objective tracking
+--store` makes `kalman-lqr@lab`, which is tuned as `heli-train --plant lab` trains.
+"""
+
+from dataclasses import astuple, dataclass, fields, replace
+from typing import Literal
+
+import numpy as np
+import tyro
+from heli_gym.baselines.control.discrete_lqr import Weights
+from heli_gym.baselines.control.policies import Policy, make_policy
+from heli_gym.baselines.control.weights import WEIGHTS, store_weights
+from heli_gym.baselines.evaluation.metrics import tracking_reward
+from rich.console import Console
+from rich.progress import Progress
+from scipy.optimize import differential_evolution
+from scipy.stats.qmc import LatinHypercube, scale
+
+from heli_gym.env import find_reference
+from heli_gym.task import control_grid, control_steps, to_action
+from heli_gym.vector_env import Heli3DOFVectorEnv
+
+NEAR = 0.3  # decades, from the weights in use, standard deviation of half of the first candidates
+START_SPREAD_DEG = 5.0
+
+# What is searched: decimal logarithms. Only ratios of the weights matter, so that on the thrust sum stays as it is.
+DECADES: dict[str, tuple[float, float]] = {
+    "travel": (-1.0, 4.0),
+    "travel_rate": (-1.0, 4.0),
+    "elevation": (-1.0, 4.0),
+    "elevation_rate": (-1.0, 4.0),
+    "pitch": (-2.0, 3.0),
+    "pitch_rate": (-2.0, 3.0),
+    "thrust_difference": (-2.0, 1.0),
+    "travel_integral": (-2.0, 3.0),
+    "elevation_integral": (-2.0, 3.0),
+    "travel_disturbance": (-3.0, 1.0),
+    "elevation_disturbance": (-3.0, 1.0),
+    "pitch_disturbance": (-3.0, 1.0),
+    "acceleration": (-3.0, 1.0),
+}
+
+
+@dataclass
+class Args:
+    """Tune the weights of a policy."""
+
+    policy: Literal["feedforward+tvlqr", "lqi", "lag-lqr", "lag-lqi", "kalman-lqr"] = "feedforward+tvlqr"
+    plants: tuple[str, ...] = ("nominal", "lab")  # that candidates fly
+    objective: Literal["environment", "tracking"] = (
+        "environment"  # the environment's reward, or travel, elevation, cost
+    )
+    store: bool = False  # whether to keep the weights for this one plant
+    reference: str = "travel-360"  # a packaged reference, or an .npz file
+    draws: int = 32  # helicopters of each plant that a candidate flies
+    candidates: int = 600  # that are flown, whatever the number of weights
+    population: int = 40  # of these in each generation of differential evolution
+    seed: int = 0  # of the draws and of the search; the judgement's draws follow
+
+
+def searched(weights: Weights) -> list[str]:
+    """The names of the weights that are searched."""
+    return [field.name for field in fields(weights) if field.name in DECADES]
+
+
+def with_decades(weights: Weights, decades: np.ndarray) -> Weights:
+    """The weights with those that are searched replaced, given their decimal logarithms."""
+    return replace(weights, **dict(zip(searched(weights), (10.0**decades).tolist())))
+
+
+def returns(envs: Heli3DOFVectorEnv, policy: Policy, seed: int, objective: str = "environment") -> np.ndarray:
+    """The returns (N,) of one episode of each helicopter, seeded from `seed` on."""
+    reference, period = envs.reference_of(0), envs.control_period
+    x_ref, _ = control_grid(reference, period)
+    _, info = envs.reset(seed=seed)
+    policy.reset(np.random.default_rng(seed))
+    total, flying = np.zeros(envs.num_envs), np.ones(envs.num_envs, bool)
+    for k in range(control_steps(reference.duration, period)):
+        u = policy(k * period, info["measurement"].T)
+        _, rewards, terminated, truncated, info = envs.step(to_action(u, envs.voltage_limits).T)
+        if objective == "tracking":
+            error = info["state"].T - x_ref[:, [k + 1]]
+            rewards = period * tracking_reward(error[0:3:2], info["cost"] / period, rewards / period)
+        total += np.where(flying, rewards, 0.0)
+        flying &= ~(terminated | truncated)  # a helicopter whose flight is over starts another, which does not count
+    return total
+
+
+def main(args: Args | None = None) -> None:
+    """Search, then print the weights and what they are worth."""
+    args = args or tyro.cli(Args, prog="heli-tune", description=__doc__)
+    console = Console()
+    if args.store and len(args.plants) != 1:
+        raise ValueError(f"plants = {args.plants}: one is needed with store")
+    reference = find_reference(args.reference)
+    envs = [Heli3DOFVectorEnv(args.draws, plant, reference, start_spread_deg=START_SPREAD_DEG) for plant in args.plants]
+    in_use = WEIGHTS[args.policy]
+
+    def mean_return(weights: Weights, seed: int) -> float:
+        policy = make_policy(args.policy, reference, envs[0].control_period, weights=weights)
+        return float(np.mean([returns(env, policy, seed, args.objective) for env in envs]))
+
+    names = searched(in_use)
+    low, high = np.array([DECADES[name] for name in names]).T
+    population = scale(LatinHypercube(len(names), rng=args.seed).random(args.population), low, high)
+    population[0] = [np.log10(getattr(in_use, name)) for name in names]
+    near, rng = slice(1, args.population // 2), np.random.default_rng(args.seed)
+    population[near] = np.clip(population[0] + NEAR * rng.standard_normal(population[near].shape), low, high)
+    with Progress(console=console) as progress:
+        generations = max(1, args.candidates // args.population - 1)
+        task = progress.add_task("tuning", total=generations)
+        result = differential_evolution(
+            lambda decades: -mean_return(with_decades(in_use, decades), args.seed),
+            list(zip(low, high)),
+            init=population,
+            maxiter=generations,
+            tol=0.0,  # the budget is used up
+            rng=args.seed,
+            polish=False,
+            callback=lambda intermediate_result: progress.update(
+                task, advance=1, description=f"tuning, best return {-intermediate_result.fun:.3f}"
+            ),
+        )
+    tuned = with_decades(in_use, result.x)
+    for name, value in zip((field.name for field in fields(tuned)), astuple(tuned)):
+        console.print(f"{name} = {value:.3g}")
+    for label, weights in (("in use", in_use), ("tuned", tuned)):
+        tuned_on, held_out = (mean_return(weights, seed) for seed in (args.seed, args.seed + args.draws))
+        console.print(f"{label}: mean return {tuned_on:.3f} on the draws tuned on, {held_out:.3f} on others")
+    if args.store:
+        store_weights(args.policy, args.plants[0], tuned)
+        console.print(f"stored for {args.policy}@{args.plants[0]}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,117 @@
+"""Linear quadratic regulators on the control grid, for (3) with rotors that lag and with integrals of the error.
+
+The continuous-time regulator of the paper is in `baselines/paper/tvlqr.py`; these are in discrete time (Åström and
+Wittenmark, Computer-Controlled Systems, 3rd ed., Chapter 11), where a hold, a lag and an integral are only more states.
+"""
+
+from dataclasses import astuple, dataclass
+from typing import NamedTuple
+
+import numpy as np
+from heli_gym.baselines.control.estimation import discretised
+from scipy.linalg import solve_discrete_are
+
+from heli_gym.model import hover_input, linearise
+from heli_gym.parameters import HelicopterParameters
+
+INTEGRATED = (0, 2)  # of (44): travel and elevation
+
+
+@dataclass(frozen=True)
+class Weights:
+    """The diagonals of Q and R in (49): per rad², (rad/s)² and N²."""
+
+    travel: float
+    travel_rate: float
+    elevation: float
+    elevation_rate: float
+    pitch: float
+    pitch_rate: float
+    thrust_sum: float
+    thrust_difference: float
+
+    @property
+    def Q(self) -> np.ndarray:
+        """(6, 6)"""
+        return np.diag(astuple(self)[:6])
+
+    @property
+    def R(self) -> np.ndarray:
+        """(2, 2)"""
+        return np.diag(astuple(self)[6:8])
+
+
+@dataclass(frozen=True)
+class IntegralWeights(Weights):
+    """The same, and those of the integrals of the errors of travel and elevation, per (rad s)²."""
+
+    travel_integral: float
+    elevation_integral: float
+
+
+def augmented(A: np.ndarray, B: np.ndarray, lag: float, integral: bool) -> tuple[np.ndarray, np.ndarray]:
+    """The linearisation A (K, 6, 6), B (K, 6, 2) with more states, in this order, and what remains of its input v.
+
+    - With a lag in s: v (2,) itself, which follows the v that is asked for. For small deviations, the lag of the rotor
+      speed is one of the thrust, with the same time constant.
+    - With `integral`: the integrals (2,) of the deviations of travel and elevation (Davison and Smith, "Pole assignment
+      in linear time-invariant multivariable systems with constant disturbances", Automatica 7(4), 1971).
+    """
+    lagging = 2 if lag else 0
+    n = 6 + lagging + (2 if integral else 0)
+    A_augmented, B_augmented = np.zeros((len(A), n, n)), np.zeros((len(A), n, 2))
+    A_augmented[:, :6, :6] = A
+    if lag:
+        A_augmented[:, :6, 6:8] = B
+        A_augmented[:, (6, 7), (6, 7)] = -1.0 / lag
+        B_augmented[:, (6, 7), (0, 1)] = 1.0 / lag
+    else:
+        B_augmented[:, :6] = B
+    if integral:
+        A_augmented[:, (n - 2, n - 1), INTEGRATED] = 1.0
+    return A_augmented, B_augmented
+
+
+class Problem(NamedTuple):
+    """A sampled linear-quadratic problem along K times, on the states of `augmented`."""
+
+    A: np.ndarray  # (K, n, n) transitions
+    B: np.ndarray  # (K, n, 2)
+    Q: np.ndarray  # (n, n) cost of a control period
+    R: np.ndarray  # (2, 2)
+
+
+def sampled_problem(
+    x: np.ndarray, v: np.ndarray, dt: float, parameters: HelicopterParameters, weights: Weights, lag: float
+) -> Problem:
+    """The problem that regulates deviations from x (6, K), v (2, K), with the inputs held for dt seconds."""
+    A, B = (np.moveaxis(part, -1, 0) for part in linearise(x, v, parameters))
+    A, B = discretised(*augmented(A, B, lag, isinstance(weights, IntegralWeights)), dt)
+    n = A.shape[1]
+    Q = np.zeros((n, n))
+    Q[:6, :6] = weights.Q
+    if isinstance(weights, IntegralWeights):
+        Q[(n - 2, n - 1), (n - 2, n - 1)] = weights.travel_integral, weights.elevation_integral
+    return Problem(A, B, dt * Q, dt * weights.R)
+
+
+def regulator_gains(
+    x: np.ndarray, v: np.ndarray, dt: float, parameters: HelicopterParameters, weights: Weights, lag: float = 0.0
+) -> np.ndarray:
+    """Gains (2, n, K) along the reference x (6, K), v (2, K), dt seconds apart, on the states of `augmented`.
+
+    By the Riccati difference equation, backwards from the cost of holding hover at the reference's last elevation for
+    ever. With `IntegralWeights`, integrals are among the states.
+    """
+    elevation = float(x[2, -1])
+    x = np.concatenate((x, [[0.0], [0.0], [elevation], [0.0], [0.0], [0.0]]), axis=1)
+    v = np.concatenate((v, hover_input(elevation, parameters)[:, None]), axis=1)
+    A, B, Q, R = sampled_problem(x, v, dt, parameters, weights, lag)
+    P = solve_discrete_are(A[-1], B[-1], Q, R)
+    gains = np.empty((len(A) - 1, 2, A.shape[1]))
+    for k in range(len(A) - 2, -1, -1):
+        PA, PB = P @ A[k], P @ B[k]
+        gains[k] = np.linalg.solve(R + B[k].T @ PB, PB.T @ A[k])
+        P = Q + A[k].T @ (PA - PB @ gains[k])
+        P = 0.5 * (P + P.T)
+    return np.moveaxis(gains, 0, -1)

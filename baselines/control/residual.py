@@ -1,0 +1,225 @@
+"""A learned correction on top of a controller: u = sat(u_base + scale a), with a in [-1, 1]² from a small network.
+
+The network sees what the controller sees, and nothing of the plant's draw: see `GROUPS`. It is stored as safetensors
+beside a JSON file with its settings and the SHA-256 of the weights, and flown by numpy.
+"""
+
+import json
+import math
+import os
+from dataclasses import asdict, dataclass, field
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from heli_gym.baselines.control.policies import ModelPolicy, Policy, beside, make_policy, period
+
+from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
+from heli_gym.storage import atomic_write
+from heli_gym.task import TOLERANCE, control_grid, to_action
+from heli_gym.trajectory import Trajectory
+
+LEARNED = Path(__file__).parent / "learned"  # the policies that come with the package: of the first seed on each plant
+AHEAD = (0.0, 0.2, 0.4, 0.8)  # s, at which the network sees the reference
+BEFORE = (0.1, 0.2, 0.4)  # s, at which it sees past errors and corrections
+GROUPS = {
+    "error": "of all six states, in tolerances",
+    "integral": "of the errors of travel and elevation",
+    "voltages": "of the base policy, nominal, and the last correction",
+    "estimate": "of the disturbances and the rotor speeds, by the base policy, where it is a `ModelPolicy`",
+    "preview": "of the reference, now and ahead",
+    "past": "errors of the angles, and corrections",
+}
+STATE_SCALE = np.array([math.pi, 1.0, 0.2, 0.5, 1.0, 2.0])  # rad and rad/s, of the reference
+DISTURBANCE_SCALE, INTEGRAL_SCALE, LARGEST = 0.2, 0.1, 5.0  # rad/s², rad s, and what features are clipped to
+
+
+class Memory(NamedTuple):
+    """What a residual policy remembers, besides what its base policy does."""
+
+    integral: np.ndarray  # (2, ...) rad s, of the errors of travel and elevation
+    past: np.ndarray  # (H, 5, ...) errors of the angles in tolerances, and corrections, the last first
+
+
+@dataclass(eq=False)
+class ResidualPolicy:
+    """A base policy and a correction. Without a network, or with scale 0, it flies the base policy bit for bit.
+
+    Args:
+        base: the policy that is corrected; a `ModelPolicy` is told what was asked for after all.
+        reference: what both follow.
+        network: from features (F, ...) to actions (2, ...) in [-1, 1].
+        scale: V, the greatest correction.
+        control_period: s.
+        voltage_limits: V, the amplifier's.
+        sees: which of `GROUPS` the network is shown.
+
+    Raises:
+        ValueError: for a scale that is negative or not finite, or an unknown group.
+    """
+
+    base: Policy
+    reference: Trajectory
+    network: Any
+    scale: float
+    control_period: float = 0.02
+    voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
+    sees: tuple[str, ...] = tuple(GROUPS)
+    memory: Memory | None = field(default=None, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.scale) and self.scale >= 0.0):
+            raise ValueError(f"scale = {self.scale!r}: a finite number of volts, at least 0, is needed")
+        if not self.sees or not set(self.sees) <= set(GROUPS):
+            raise ValueError(f"sees = {self.sees!r}: some of {', '.join(map(repr, GROUPS))} are needed")
+        self.x, self.u = control_grid(self.reference, self.control_period)
+        ahead = [control_grid(self.reference, self.control_period, seconds)[0] for seconds in AHEAD]
+        self.preview = np.concatenate([(x / STATE_SCALE[:, None])[1:] for x in ahead])
+        self.past_steps = [round(seconds / self.control_period) for seconds in BEFORE]
+
+    def reset(self, rng: np.random.Generator) -> None:
+        """Forget the last flight."""
+        self.base.reset(rng)
+        self.memory = None
+
+    def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
+        measurement = np.asarray(measurement, dtype=float)
+        u_base, features = self.observe(t, measurement)
+        return self.correct(t, measurement, u_base, np.clip(self.network(features), -1.0, 1.0))
+
+    def observe(self, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Voltages of the base policy (2, ...) in V, and the features (F, ...) for the network."""
+        u_base = self.base(t, measurement)
+        k = period(t, self.control_period, self.x.shape[1] - 1)
+        if self.memory is None:
+            batch = measurement.shape[1:]
+            self.memory = Memory(np.zeros((2, *batch)), np.zeros((max(self.past_steps), 5, *batch)))
+        error = measurement - beside(self.x[:, k], measurement)
+        past = self.memory.past
+        groups = {
+            "error": [error / beside(np.array(TOLERANCE), measurement)],
+            "integral": [self.memory.integral / INTEGRAL_SCALE],
+            "voltages": [
+                to_action(u_base, self.voltage_limits),
+                to_action(beside(self.u[:, k], measurement) + np.zeros_like(u_base), self.voltage_limits),
+                past[0, 3:],
+            ],
+            "estimate": [],
+            "preview": [beside(self.preview[:, k], measurement) + np.zeros((1, *measurement.shape[1:]))],
+            "past": [past[step - 1] for step in self.past_steps],
+        }
+        if isinstance(self.base, ModelPolicy) and self.base.memory is not None:
+            groups["estimate"] = [
+                self.base.memory.disturbance / DISTURBANCE_SCALE,
+                to_action(self.base.memory.rotors, self.voltage_limits),
+            ]
+        rows = [row for group in GROUPS if group in self.sees for row in groups[group]]
+        return u_base, np.clip(np.concatenate(rows), -LARGEST, LARGEST)
+
+    def correct(
+        self, t: float | np.ndarray, measurement: np.ndarray, u_base: np.ndarray, action: np.ndarray
+    ) -> np.ndarray:
+        """The voltages (2, ...) in V, after the base policy's and the action (2, ...); also remembers both."""
+        if self.memory is None:
+            raise ValueError("correct: comes after observe")
+        k = period(t, self.control_period, self.x.shape[1] - 1)
+        u = u_base + self.scale * action if self.scale else u_base
+        if isinstance(self.base, ModelPolicy) and self.scale:
+            self.base.replace_last(u)
+        error = (measurement - beside(self.x[:, k], measurement))[0::2]
+        tolerances = beside(np.array(TOLERANCE[0::2]), measurement)
+        now = np.concatenate((error / tolerances, action))[None]
+        self.memory = Memory(
+            self.memory.integral + self.control_period * error[:2],
+            np.concatenate((now, self.memory.past[:-1])),
+        )
+        return u
+
+
+@dataclass(frozen=True)
+class Learned:
+    """What a stored network needs to be flown."""
+
+    base: str  # the policy that it corrects
+    scale: float  # V
+    reference: str
+    plant: str  # that it was trained on
+    control_period: float  # s
+    features: int
+    hidden: tuple[int, ...]
+    squashes: bool  # whether the actions are the tanh of the last layer
+    sees: tuple[str, ...] = tuple(GROUPS)  # what of GROUPS it is shown
+
+
+class Network(NamedTuple):
+    """Layers of weights (out, in) and biases (out,), with tanh between them."""
+
+    weights: tuple[np.ndarray, ...]
+    biases: tuple[np.ndarray, ...]
+    squashes: bool  # whether the tanh of the last layer is taken too
+
+    def __call__(self, features: np.ndarray) -> np.ndarray:
+        """The actions (2, ...) for features (F, ...)."""
+        value = features
+        for layer, (weight, bias) in enumerate(zip(self.weights, self.biases)):
+            value = weight @ value + beside(bias, value)
+            if layer < len(self.weights) - 1 or self.squashes:
+                value = np.tanh(value)
+        return value
+
+
+def save_learned(path: str | os.PathLike, settings: Learned, network: Network) -> None:
+    """Writes path.safetensors and path.json, each atomically."""
+    from safetensors.numpy import save
+
+    tensors: dict[str, np.ndarray] = {}
+    for layer, (weight, bias) in enumerate(zip(network.weights, network.biases)):
+        tensors[f"{layer}.weight"], tensors[f"{layer}.bias"] = weight.astype(np.float32), bias.astype(np.float32)
+    data = save(tensors)
+    path = Path(path)
+    with atomic_write(path.with_suffix(".safetensors")) as file:
+        file.write(data)
+    with atomic_write(path.with_suffix(".json")) as file:
+        file.write((json.dumps({**asdict(settings), "sha256": sha256(data).hexdigest()}, indent=2) + "\n").encode())
+
+
+def load_learned(path: str | os.PathLike) -> tuple[Learned, Network]:
+    """Reads what `save_learned` wrote; nothing is unpickled.
+
+    Raises ValueError if a file is missing or damaged, or if the two do not belong together.
+    """
+    from safetensors.numpy import load
+
+    path = Path(path)
+    try:
+        described = json.loads(path.with_suffix(".json").read_text())
+        data = path.with_suffix(".safetensors").read_bytes()
+        digest = described.pop("sha256")
+        lists = {name: tuple(value) for name, value in described.items() if isinstance(value, list)}
+        settings = Learned(**{**described, **lists})
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        raise ValueError(f"path = {str(path)!r}: no learned policy: {error}") from error
+    if sha256(data).hexdigest() != digest:
+        raise ValueError(f"path = {str(path)!r}: the weights are not those that the JSON file describes")
+    tensors = load(data)
+    layers = range(len(settings.hidden) + 1)
+    return settings, Network(
+        tuple(tensors[f"{layer}.weight"].astype(float) for layer in layers),
+        tuple(tensors[f"{layer}.bias"].astype(float) for layer in layers),
+        settings.squashes,
+    )
+
+
+def learned_policy(
+    path: str | os.PathLike, reference: Trajectory, control_period: float, parameters: HelicopterParameters
+) -> ResidualPolicy:
+    """The stored policy, for a reference. Raises ValueError for a control period that it was not trained for."""
+    settings, network = load_learned(path)
+    if control_period != settings.control_period:
+        raise ValueError(
+            f"control_period = {control_period:g} s: the policy {Path(path).name} was trained for "
+            f"{settings.control_period:g} s"
+        )
+    base = make_policy(settings.base, reference, control_period, parameters)
+    return ResidualPolicy(base, reference, network, settings.scale, control_period, sees=settings.sees)

@@ -1,0 +1,119 @@
+"""One way to fly: any policy in any environment, to a Trajectory; and many flights at once."""
+
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+from heli_gym.baselines.control.policies import ModelPolicy, Policy, TrackingPolicy
+from heli_gym.baselines.control.residual import ResidualPolicy
+
+from heli_gym.env import Heli3DOFEnv
+from heli_gym.task import control_grid, control_steps, to_action
+from heli_gym.trajectory import Trajectory
+from heli_gym.vector_env import Heli3DOFVectorEnv
+
+# rad and rad/s, between references that count as the same: solvers on other machines, and files, round differently
+SAME_REFERENCE = 1e-3
+
+
+def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str, Any] | None = None) -> Trajectory:
+    """One episode: true states, and voltages as they were asked for within the amplifier's limits.
+
+    u[:, k] was asked for from t[k] to t[k + 1]; by a plant's delay and lag, its rotors turn at it later.
+
+    Args:
+        env: a Heli3DOF environment, wrapped or not, whose episodes start at the start of the reference.
+        policy: gives voltages for times and measurements.
+        seed: of the episode and of the policy's own randomness.
+        options: for `env.reset`.
+
+    Raises:
+        ValueError: if the environment is another or starts at random times, or if the policy was made for another
+            control period, amplifier or reference.
+    """
+    core = env.unwrapped
+    if not isinstance(core, Heli3DOFEnv):
+        raise ValueError(f"env = {env!r}: a Heli3DOF environment is needed")
+    if core.random_start:
+        raise ValueError(
+            f"env = {env!r}: a helicopter which starts at its reference's start, without random_start, is needed"
+        )
+    _, info = env.reset(seed=seed, options=options)
+    check_policy(policy, core, core.reference)
+    policy.reset(np.random.default_rng(seed))
+    states, voltages = [info["state"]], []
+    over = False
+    while not over:
+        action = to_action(policy(info["time"], info["measurement"]), core.voltage_limits)
+        _, _, terminated, truncated, info = env.step(action)
+        states.append(info["state"])
+        voltages.append(info["voltage"])
+        over = terminated or truncated
+    t = core.control_period * np.arange(len(states))
+    u = np.array([*voltages, voltages[-1]])
+    return Trajectory(t, np.array(states).T, u.T, core.reference.limits)
+
+
+def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Trajectory]:
+    """One episode of each helicopter, all at once: what `fly` returns for the seeds from `seed` on, to rounding.
+
+    Args:
+        envs: helicopters with the same reference, which all start at its start.
+        policy: gives voltages (2, N) for a time and measurements (6, N).
+        seed: of the first episode, the others counting on, and of the policy's own randomness.
+
+    Raises:
+        ValueError: if the helicopters follow different references or start at random times, or if the policy was made
+            for another control period, amplifier or reference.
+    """
+    reference = envs.references[0]
+    same = all(other is reference for other in envs.references)
+    if not (isinstance(reference, Trajectory) and same) or envs.random_start:
+        raise ValueError("envs: helicopters with the same reference, which start at its start, are needed")
+    check_policy(policy, envs, reference)
+    _, info = envs.reset(seed=seed)
+    policy.reset(np.random.default_rng(seed))
+    steps = control_steps(reference.duration, envs.control_period)
+    states, voltages = np.empty((steps + 1, 6, envs.num_envs)), np.empty((steps, 2, envs.num_envs))
+    states[0] = info["state"].T
+    flown = np.full(envs.num_envs, steps)  # control periods until the end of each flight; what follows is another one
+    for k in range(steps):
+        action = to_action(policy(k * envs.control_period, info["measurement"].T), envs.voltage_limits)
+        _, _, terminated, _, info = envs.step(action.T)
+        states[k + 1], voltages[k] = info["state"].T, info["voltage"].T
+        flown[terminated] = np.minimum(flown[terminated], k + 1)
+    t = envs.control_period * np.arange(steps + 1)
+    return [
+        Trajectory(t[: n + 1], states[: n + 1, :, i].T, voltages[[*range(n), n - 1], :, i].T, reference.limits)
+        for i, n in enumerate(flown)
+    ]
+
+
+def check_policy(policy: Policy, env: Heli3DOFEnv | Heli3DOFVectorEnv, reference: Trajectory) -> None:
+    """Raises ValueError if the policy was made for another control period, amplifier or reference than these.
+
+    Of a policy that does not say what it was made for, nothing is known, and nothing is refused.
+    """
+    name = f"policy: this {type(policy).__name__} was made for"
+    period = getattr(policy, "control_period", env.control_period)
+    if period != env.control_period:
+        raise ValueError(f"{name} a control period of {period:g} s, and env has {env.control_period:g} s")
+    low, high = getattr(policy, "voltage_limits", env.voltage_limits)
+    if (low, high) != env.voltage_limits:
+        raise ValueError(
+            f"{name} an amplifier of {low:g} to {high:g} V, and env's gives "
+            f"{env.voltage_limits[0]:g} to {env.voltage_limits[1]:g} V"
+        )
+    if isinstance(policy, TrackingPolicy | ModelPolicy | ResidualPolicy):
+        x, _ = control_grid(reference, env.control_period)
+        last = policy.x.shape[1] - 1
+        if policy.x.shape != x.shape:
+            raise ValueError(
+                f"{name} a reference of {last * period:g} s, and env's takes {(x.shape[1] - 1) * period:g} s"
+            )
+        apart = np.abs(policy.x - x).max(axis=0)
+        if apart.max() > SAME_REFERENCE:
+            k = int(apart.argmax())
+            raise ValueError(
+                f"{name} another reference than env's: at {k * period:g} s they are {apart[k]:.3g} rad or rad/s apart"
+            )

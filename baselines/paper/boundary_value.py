@@ -1,0 +1,331 @@
+"""Sections III-B and III-D: the boundary value problems (14) and (38) of a maneuver, and their solutions."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from heli_gym.baselines.compilation import kept
+from heli_gym.baselines.paper.normal_form import ddy1_bounds, ddy2_bounds, feedforward, internal_dynamics, thrust_bounds
+from heli_gym.baselines.paper.saturation import Saturation, ddy2, psi1, psi1_inverse, psi2_bounds, ramp
+from numpy.polynomial import Polynomial
+from numpy.polynomial.polynomial import polyval
+from scipy.integrate import solve_bvp
+
+from heli_gym.model import fan_thrusts, voltage
+from heli_gym.parameters import HelicopterParameters
+from heli_gym.trajectory import Maneuver, Trajectory
+
+KAPPA = (2, 4)  # (40)
+MESH = {14: 50, 38: 100}  # points of the first mesh, by equation; 50 as in Section III-B
+COARSE, FINE = 1e-3, 1e-5  # relative residuals of the search and of the plan
+MAX_NODES = {COARSE: 500, FINE: 2000}
+SAMPLE_PERIOD = 1e-3  # s, at most, between the samples of a plan: the paper's sampling time (Section IV)
+CLOSEST_PITCH = 0.95  # share of the pitch limit to which the first guess is clipped: psi1 never reaches it
+PITCH_RESERVE = 1e-5  # share by which (26) is tightened, so that the replayed pitch keeps its limits between samples
+
+# Setup polynomials of Section III-B over t/T. The paper gives their boundary conditions (12b) and (12c); we add
+# zero second derivatives, so that the inputs start and end at hover.
+RISE = Polynomial([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
+BUMP = Polynomial([0.0, 0.0, 0.0, 1.0, -3.0, 3.0, -1.0])
+BUMPS = (BUMP, Polynomial([0.0, 1.0]) * BUMP)
+# Coefficients (8, 3, 3) of these three, and of their first two derivatives: [power, polynomial, derivative].
+COEFFICIENTS = np.zeros((8, 3, 3))
+for k, polynomial in enumerate((RISE, *BUMPS)):
+    for n in range(3):
+        COEFFICIENTS[: polynomial.degree() + 1 - n, k, n] = polynomial.deriv(n).coef
+
+
+class Solution(NamedTuple):
+    """A solution of (14) or (38), or a guess of one."""
+
+    t: np.ndarray  # (K,)
+    Y: np.ndarray  # (2, K) eta and its rate, or (6, K) y1, its rate, xi1, xi2, eta, its rate
+    p: np.ndarray  # (2,) or (6,) free parameters
+    interpolate: Any = None  # t (N,) -> Y
+
+    def stretched(self, duration: float) -> "Solution":
+        """The same motion in another time, on a fresh mesh: rates scale with 1/T, accelerations with 1/T²."""
+        ratio = self.t[-1] / duration
+        rates = np.array([1.0, ratio] * (len(self.Y) // 2))
+        t = np.linspace(0.0, self.t[-1], MESH[38])
+        return Solution(t / ratio, rates[:, None] * self.interpolate(t), ratio**2 * self.p)
+
+
+# Section III-B: without constraints
+
+
+def setup_functions(maneuver: Maneuver, t: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """Upsilon1 and Upsilon2 with their first two derivatives: (2, 3, K), [output, derivative, time]."""
+    T = maneuver.duration
+    start, goal = maneuver.start[1], maneuver.goal[1]
+    rise, first, second = COEFFICIENTS.transpose(1, 0, 2)
+    outputs = np.stack(((goal - start) * rise, p[0] * first + p[1] * second), axis=1) / T ** np.arange(3)
+    outputs[0, 0, 0] += start
+    return polyval(t / T, outputs)
+
+
+def solve_unconstrained(maneuver: Maneuver, tolerance: float = COARSE) -> Solution | None:
+    """The BVP (14) with two free parameters, from a linear guess as in the paper; None if there is no solution."""
+    T, (eta_0, _), (eta_T, _), parameters = maneuver.duration, maneuver.start, maneuver.goal, maneuver.parameters
+
+    def rhs(t, Y, p):
+        (y1, _, ddy1), (y2, _, _) = setup_functions(maneuver, t, p)
+        return np.stack((Y[1], internal_dynamics(y1, y2, ddy1, parameters)))
+
+    def rhs_jacobian(t, Y, p):
+        (y1, _, ddy1), (y2, _, _) = setup_functions(maneuver, t, p)
+        # (14a) depends on y2 as tan(y2), and tan(pi/4) = 1
+        gradient = internal_dynamics(y1, np.pi / 4, ddy1, parameters) / np.cos(y2) ** 2
+        dY, dp = np.zeros((2, 2, len(t))), np.zeros((2, 2, len(t)))
+        dY[0, 1] = 1.0
+        dp[1] = gradient * np.stack([bump(t / T) for bump in BUMPS])
+        return dY, dp
+
+    def boundary(Ya, Yb, p):
+        return np.array([Ya[0] - eta_0, Ya[1], Yb[0] - eta_T, Yb[1]])
+
+    def boundary_jacobian(Ya, Yb, p):
+        return np.eye(4, 2), np.eye(4, 2, k=-2), np.zeros((4, 2))
+
+    t = np.linspace(0.0, T, MESH[14])
+    guess = Solution(t, np.stack((eta_0 + (eta_T - eta_0) * t / T, np.full_like(t, (eta_T - eta_0) / T))), np.zeros(2))
+    solution = run_solver(rhs, boundary, guess, rhs_jacobian, boundary_jacobian, tolerance)
+    # beyond 90 degrees the tangent has another branch, which no flight can reach
+    if solution is None or np.abs(setup_functions(maneuver, solution.t, solution.p)[1, 0]).max() >= np.pi / 2:
+        return None
+    return solution
+
+
+def unconstrained_trajectory(maneuver: Maneuver, solution: Solution) -> Trajectory:
+    """A solution of (14) as states and voltages, by (13) and the inverse of (4) and (2)."""
+    t = sample_times(maneuver)
+    (y1, dy1, ddy1), (y2, dy2, ddy2_) = setup_functions(maneuver, t, solution.p)
+    eta, deta = solution.interpolate(t)
+    v = feedforward(y1, y2, ddy1, ddy2_, maneuver.parameters)
+    u = voltage(fan_thrusts(v), maneuver.parameters)
+    return Trajectory(t, np.stack((eta, deta, y1, dy1, y2, dy2)), u, maneuver.limits)
+
+
+# Section III-D: with constraints
+
+
+class Motion(NamedTuple):
+    """What (38) determines algebraically at each time; arrays (K,)."""
+
+    pitch: Saturation
+    dxi2: np.ndarray
+    ddy1: np.ndarray
+    v1: np.ndarray
+    v2: np.ndarray
+    free1: np.ndarray  # whether psi3 and psi2 are off their bounds
+    free2: np.ndarray
+
+
+def constrained_motion(Y: Any, phi: Any, pitch_bounds: Any, f: Any, parameters: HelicopterParameters) -> Motion:
+    """The saturated accelerations and the inputs of (38): (25), (30)-(34), (37), then (13).
+
+    Y (6, ...) are the states, phi (2, ...) the new inputs, f the bounds of the thrusts.
+    """
+    y1, _, xi1, xi2, _, _ = Y
+    phi1, phi2 = phi
+    pitch = psi1(xi1, pitch_bounds)
+    y2 = pitch.value
+    dxi2 = ramp(phi2, psi2_bounds(ddy2_bounds(y1, y2, f, parameters), pitch, xi2))
+    ddy2_ = ddy2(pitch, xi2, dxi2)
+    _, v2 = feedforward(y1, y2, 0.0, ddy2_, parameters)
+    ddy1 = ramp(phi1, ddy1_bounds(y1, y2, v2, f, parameters))
+    v1, _ = feedforward(y1, y2, ddy1, ddy2_, parameters)
+    return Motion(pitch, dxi2, ddy1, v1, v2, ddy1 == phi1, dxi2 == phi2)
+
+
+def new_inputs(tau: float, p: Any) -> tuple:
+    """Equation (39): phi1 and phi2 at a share tau of the duration, for parameters p (6,)."""
+    phi1, phi2 = 0.0, 0.0
+    power = tau
+    for k in range(KAPPA[0]):
+        power *= tau
+        phi1 += p[k] * (power - tau)
+    power = tau
+    for k in range(KAPPA[1]):
+        power *= tau
+        phi2 += p[KAPPA[0] + k] * (power - tau)
+    return phi1, phi2
+
+
+@cache
+def sampling_kernel() -> Callable:
+    """Compiled: fills in states x (6, K) and thrusts (2, K) of states Y (6, K) of (38), at K equidistant times."""
+
+    def sample(Y, p, pitch_bounds, f, parameters, x, thrusts):
+        for k in range(Y.shape[1]):
+            y1, dy1, xi1, xi2, eta, deta = Y[0, k], Y[1, k], Y[2, k], Y[3, k], Y[4, k], Y[5, k]
+            phi = new_inputs(k / (Y.shape[1] - 1), p)
+            motion = constrained_motion((y1, dy1, xi1, xi2, eta, deta), phi, pitch_bounds, f, parameters)
+            x[0, k], x[1, k], x[2, k], x[3, k] = eta, deta, y1, dy1
+            x[4, k], x[5, k] = motion.pitch.value, motion.pitch.slope * xi2
+            thrusts[0, k], thrusts[1, k] = fan_thrusts((motion.v1, motion.v2))
+
+    return kept(sample, fast=True)
+
+
+def constrained_rhs(Y: Any, motion: Motion, parameters: HelicopterParameters) -> tuple:
+    """Time derivative of the states Y (6, ...) of (38)."""
+    y1, dy1, _, xi2, _, deta = Y
+    return dy1, motion.ddy1, xi2, motion.dxi2, deta, internal_dynamics(y1, motion.pitch.value, motion.ddy1, parameters)
+
+
+def motion_gradients(Y: Any, motion: Motion, f: Any, parameters: HelicopterParameters) -> tuple:
+    """Gradients of ddy1, d xi2/dt and ddeta of (38), each with respect to (y1, xi1, xi2, phi1, phi2).
+
+    On the corner of a ramp, that of its inner side.
+    """
+    p, m = parameters, motion
+    y1, xi2 = Y[0], Y[3]
+    y2, slope, curvature, third = m.pitch
+    sin1, cos1, sin2, cos2 = np.sin(y1), np.cos(y1), np.sin(y2), np.cos(y2)
+
+    # (11b): ddy2 = a3 cos(y1) sin(y2) + b3 v2. Off the bounds of (33), v2 follows from (30); on them, it is constant.
+    v2_y1 = p.a3 / p.b3 * sin1 * sin2
+    v2_xi1 = (xi2**2 * third + m.dxi2 * curvature - p.a3 * cos1 * cos2 * slope) / p.b3
+    v2_xi2 = 2.0 * curvature * xi2 / p.b3
+    free1, free2 = 1.0 * m.free1, 1.0 * m.free2
+    back = -(1.0 - free2) * p.b3 / (slope + free2)  # the slope underflows far out, where nothing is bounded
+    dxi2 = back * v2_y1, back * v2_xi1, back * v2_xi2, 0.0 * free2, free2
+
+    # (11a): ddy1 = lift + b2 cos(y2) v1, on the bounds of (22) with v1 = constant ± |v2|, see (20)
+    lift, d_lift = p.a1 * sin1 + p.a2 * cos1, p.a1 * cos1 - p.a2 * sin1
+    low, high = f
+    on_lower_v1 = 1.0 * (m.ddy1 > lift + p.b2 * cos2 * (low + high))
+    by_v2 = (1.0 - free1) * free2 * (2.0 * on_lower_v1 - 1.0) * np.sign(m.v2) * p.b2 * cos2
+    ddy1 = (
+        (1.0 - free1) * d_lift + by_v2 * v2_y1,
+        by_v2 * v2_xi1 - (1.0 - free1) * p.b2 * sin2 * m.v1 * slope,
+        by_v2 * v2_xi2,
+        free1,
+        by_v2 * slope / p.b3,
+    )
+
+    # (14a)
+    ratio, rest, tan2 = p.b1 / p.b2, m.ddy1 - lift, sin2 / cos2
+    k = ratio * tan2 * cos1
+    ddeta = (
+        k * (ddy1[0] - d_lift) - ratio * tan2 * sin1 * rest,
+        k * ddy1[1] + ratio * cos1 * rest / cos2**2 * slope,
+        k * ddy1[2],
+        k * ddy1[3],
+        k * ddy1[4],
+    )
+    return ddy1, dxi2, ddeta
+
+
+@dataclass(frozen=True)
+class ConstrainedProblem:
+    """The boundary value problem (38) of a maneuver: Y = (y1, dy1, xi1, xi2, eta, deta), p = (p1, p2) of (39).
+
+    `check` is called in the course of solving it, which it ends by what it raises.
+    """
+
+    maneuver: Maneuver
+    check: Callable[[], None] = lambda: None
+
+    @property
+    def pitch_bounds(self) -> tuple[float, float]:
+        """Equation (26)."""
+        low, high = self.maneuver.limits.pitch
+        return low * (1.0 - PITCH_RESERVE), high * (1.0 - PITCH_RESERVE)
+
+    def ansatz(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Equation (39): the basis of Phi1 (kappa1, K) and of Phi2 (kappa2, K)."""
+        tau = t / self.maneuver.duration
+        basis = [np.stack([tau ** (k + 1) - tau for k in range(1, kappa + 1)]) for kappa in KAPPA]
+        return basis[0], basis[1]
+
+    def motion(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> Motion:
+        """The saturated accelerations and the inputs of (38) at the times t, under the ansatz (39)."""
+        basis1, basis2 = self.ansatz(t)
+        phi = p[: KAPPA[0]] @ basis1, p[KAPPA[0] :] @ basis2
+        f = thrust_bounds(self.maneuver.limits, self.maneuver.parameters)
+        with np.errstate(divide="ignore"):  # where psi1 is so close to its bound that its slope underflows
+            return constrained_motion(Y, phi, self.pitch_bounds, f, self.maneuver.parameters)
+
+    def rhs(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> np.ndarray:
+        """Time derivative (6, K) of Y."""
+        self.check()
+        return np.stack(constrained_rhs(Y, self.motion(t, Y, p), self.maneuver.parameters))
+
+    def rhs_jacobian(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Derivatives (6, 6, K) and (6, 6, K) of `rhs` with respect to Y and p."""
+        basis1, basis2 = self.ansatz(t)
+        f = thrust_bounds(self.maneuver.limits, self.maneuver.parameters)
+        gradients = motion_gradients(Y, self.motion(t, Y, p), f, self.maneuver.parameters)
+        dY, dp = np.zeros((6, 6, len(t))), np.zeros((6, len(p), len(t)))
+        dY[[0, 2, 4], [1, 3, 5]] = 1.0
+        for row, (by_y1, by_xi1, by_xi2, by_phi1, by_phi2) in zip((1, 3, 5), gradients):
+            dY[row, 0], dY[row, 2], dY[row, 3] = by_y1, by_xi1, by_xi2
+            dp[row] = np.concatenate((by_phi1 * basis1, by_phi2 * basis2))
+        return dY, dp
+
+    def ends(self) -> np.ndarray:
+        """Boundary values (2, 6) of Y, by (12), (35) and (36)."""
+        xi1 = psi1_inverse(0.0, self.pitch_bounds)
+        points = self.maneuver.start, self.maneuver.goal
+        return np.array([[elevation, 0.0, xi1, 0.0, travel, 0.0] for travel, elevation in points])
+
+    def solve(self, guess: Solution, tolerance: float = COARSE) -> Solution | None:
+        """The solution of (38) from a guess; None if the solver does not converge."""
+        start, goal = self.ends()
+
+        def boundary(Ya, Yb, p):
+            return np.concatenate((Ya - start, Yb - goal))
+
+        def boundary_jacobian(Ya, Yb, p):
+            return np.eye(12, 6), np.eye(12, 6, k=-6), np.zeros((12, 6))
+
+        return run_solver(self.rhs, boundary, guess, self.rhs_jacobian, boundary_jacobian, tolerance)
+
+    def guess(self, unconstrained: Solution) -> Solution:
+        """The unconstrained plan in the coordinates of (38), the pitch clipped inside its limits (footnote 4)."""
+        t, p = unconstrained.t, unconstrained.p
+        (y1, dy1, _), (y2, dy2, _) = setup_functions(self.maneuver, t, p)
+        low, high = self.pitch_bounds
+        inside = np.clip(y2, CLOSEST_PITCH * low, CLOSEST_PITCH * high)
+        xi1 = psi1_inverse(inside, self.pitch_bounds)
+        xi2 = np.where(inside == y2, dy2, 0.0) / psi1(xi1, self.pitch_bounds).slope
+        return Solution(t, np.stack((y1, dy1, xi1, xi2, *unconstrained.Y)), np.zeros(sum(KAPPA)))
+
+    def trajectory(self, solution: Solution) -> Trajectory:
+        """The solution as states and voltages, by (25), (28), (13) and the inverse of (4) and (2)."""
+        t = sample_times(self.maneuver)
+        x, thrusts = np.empty((6, len(t))), np.empty((2, len(t)))
+        f = thrust_bounds(self.maneuver.limits, self.maneuver.parameters)
+        Y = np.ascontiguousarray(solution.interpolate(t))
+        sampling_kernel()(Y, solution.p, self.pitch_bounds, f, self.maneuver.parameters, x, thrusts)
+        x[:, [0, -1]] = self.ends()[:, [4, 5, 0, 1, 3, 3]].T  # exact ends: xi2 = 0 gives q3 = dq3 = 0
+        return Trajectory(t, x, voltage(thrusts, self.maneuver.parameters), self.maneuver.limits)
+
+
+def sample_times(maneuver: Maneuver) -> np.ndarray:
+    """Times (K,) in s at which a plan is sampled."""
+    return np.linspace(0.0, maneuver.duration, 1 + int(np.ceil(maneuver.duration / SAMPLE_PERIOD)))
+
+
+def run_solver(rhs, boundary, guess: Solution, rhs_jacobian, boundary_jacobian, tolerance: float) -> Solution | None:
+    """One run of scipy's relative of bvp4c; None if it does not converge."""
+    with np.errstate(all="ignore"):  # a diverging iteration overflows before it gives up
+        try:
+            result = solve_bvp(
+                rhs,
+                boundary,
+                guess.t,
+                guess.Y,
+                guess.p,
+                fun_jac=rhs_jacobian,
+                bc_jac=boundary_jacobian,
+                tol=tolerance,
+                max_nodes=MAX_NODES[tolerance],
+            )
+        except ValueError:
+            return None
+    return Solution(result.x, result.y, result.p, result.sol) if result.success else None

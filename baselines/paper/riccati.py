@@ -1,0 +1,158 @@
+"""The Riccati equation (50) by Runge-Kutta steps of order four, compiled.
+
+The linearisation is that of `heli_gym.model.dynamics` as it stands, by dual numbers: complex ones, whose imaginary
+parts are so small that only their first order counts. What of it vanishes, or is constant, is found out beforehand.
+"""
+
+import math
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+from heli_gym.baselines.compilation import kept
+
+from heli_gym.model import dynamics, linearise
+from heli_gym.parameters import HelicopterParameters
+
+STEP = 1e-30  # of the dual numbers
+TINY = 1e-300  # what keeps a division from being one by zero
+# Two states and inputs without symmetry, by which what is constant and what vanishes in the Jacobians is recognised.
+GENERIC = np.array([[0.3, 0.7, -0.2, 0.5, 0.4, -0.6, 0.9, 0.1], [-1.1, 0.2, 0.6, -0.3, -0.7, 0.8, 0.4, -0.3]])
+
+
+def dual_sin(z):
+    """The sine of a dual number."""
+    return complex(math.sin(z.real), math.cos(z.real) * z.imag)
+
+
+def dual_cos(z):
+    """The cosine of a dual number."""
+    return complex(math.cos(z.real), -math.sin(z.real) * z.imag)
+
+
+@cache
+def linearising_kernel() -> Callable:
+    """Compiled: fills in the given columns of J (N, 6, 8), the derivatives of (3) by state and input, at z (8, N)."""
+
+    def linearise_along(z, columns, parameters, J):
+        for n in range(z.shape[1]):
+            for j in columns:
+                x = (
+                    complex(z[0, n], STEP if j == 0 else 0.0),
+                    complex(z[1, n], STEP if j == 1 else 0.0),
+                    complex(z[2, n], STEP if j == 2 else 0.0),
+                    complex(z[3, n], STEP if j == 3 else 0.0),
+                    complex(z[4, n], STEP if j == 4 else 0.0),
+                    complex(z[5, n], STEP if j == 5 else 0.0),
+                )
+                v = complex(z[6, n], STEP if j == 6 else 0.0), complex(z[7, n], STEP if j == 7 else 0.0)
+                dx = dynamics(x, v, parameters, dual_sin, dual_cos)
+                for i in range(6):
+                    J[n, i, j] = (dx[i] + 0j).imag / STEP
+
+    return kept(linearise_along)
+
+
+@cache
+def riccati_kernel() -> Callable:
+    """Compiled: fills in P (2 N + 1, 6, 6), from its end backwards, given J (2 N + 1, 6, 8) at the same times.
+
+    And the gains K (2, 6, 2 N + 1) of (51). Only the entries of J given by rows and columns are looked at; R is the
+    inverse of the weight. A step h goes over two entries, and the one between them is interpolated. Returns the
+    largest of an estimate of the steps' errors, the difference to the step of order three that the slope at its end
+    makes possible, relative to the diagonal of P.
+    """
+
+    def integrate(P, J, rows, columns, Q, R, h, K):
+        S, W, V, now, k = np.empty((6, 6)), np.empty((2, 6)), np.empty((2, 6)), np.empty((6, 6)), np.empty((5, 6, 6))
+        scale, last, worst = np.empty(6), len(P) - 1, 0.0
+        slope(P[last], J[last], rows, columns, Q, R, S, W, V, k[4])
+        for n in range(last, 0, -2):
+            for i in range(6):
+                for j in range(i + 1):
+                    k[0, i, j] = k[4, i, j]
+            for stage in range(1, 4):
+                share = h if stage == 3 else 0.5 * h
+                for i in range(6):
+                    for j in range(i + 1):
+                        now[i, j] = now[j, i] = P[n, i, j] + share * k[stage - 1, i, j]
+                slope(now, J[n - 2 if stage == 3 else n - 1], rows, columns, Q, R, S, W, V, k[stage])
+            for i in range(6):
+                for j in range(i + 1):
+                    rise = k[0, i, j] + 2.0 * (k[1, i, j] + k[2, i, j]) + k[3, i, j]
+                    P[n - 2, i, j] = P[n - 2, j, i] = P[n, i, j] + h / 6.0 * rise
+            slope(P[n - 2], J[n - 2], rows, columns, Q, R, S, W, V, k[4])
+            error = 0.0
+            for i in range(6):
+                scale[i] = 1.0 / (math.sqrt(abs(P[n - 2, i, i])) + TINY)
+                for j in range(i + 1):
+                    error = max(error, abs(k[4, i, j] - k[3, i, j]) * scale[i] * scale[j])
+                    middle = 0.5 * (P[n, i, j] + P[n - 2, i, j]) + 0.125 * h * (k[0, i, j] - k[4, i, j])
+                    P[n - 1, i, j] = P[n - 1, j, i] = middle
+            worst = max(worst, h / 6.0 * error)
+        for n in range(last + 1):
+            feedback(P[n], J[n], rows, columns, R, W, V)
+            for i in range(6):
+                K[0, i, n], K[1, i, n] = V[0, i], V[1, i]
+        return worst
+
+    return kept(integrate)
+
+
+def slope(P, J, rows, columns, Q, R, S, W, V, rate):
+    """Fills in the lower triangle of -dP/dt (50); S is room for A' P, for W and V see `feedback`."""
+    for i in range(6):
+        for j in range(6):
+            S[i, j] = 0.0
+    for k in range(len(rows)):
+        row, column = rows[k], columns[k]
+        if column < 6:
+            for i in range(6):
+                S[column, i] += J[row, column] * P[row, i]
+    feedback(P, J, rows, columns, R, W, V)
+    for i in range(6):
+        for j in range(i + 1):
+            rate[i, j] = S[i, j] + S[j, i] + Q[i, j] - V[0, i] * W[0, j] - V[1, i] * W[1, j]
+
+
+def feedback(P, J, rows, columns, R, W, V):
+    """Fills in W = B' P and the gains V = R^-1 B' P (51), both (2, 6)."""
+    for i in range(6):
+        W[0, i] = W[1, i] = 0.0
+    for k in range(len(rows)):
+        row, column = rows[k], columns[k]
+        if column >= 6:
+            for i in range(6):
+                W[column - 6, i] += J[row, column] * P[row, i]
+    for i in range(6):
+        V[0, i] = R[0, 0] * W[0, i] + R[0, 1] * W[1, i]
+        V[1, i] = R[1, 0] * W[0, i] + R[1, 1] * W[1, i]
+
+
+def jacobians_along(x: np.ndarray, v: np.ndarray, parameters: HelicopterParameters) -> tuple[np.ndarray, ...]:
+    """The derivatives (N, 6, 8) of (3) by states x (6, N) and inputs v (2, N), and where they do not vanish."""
+    sample, rows, columns, varying = structure(parameters)
+    J = np.empty((x.shape[1], 6, 8))
+    J[:] = sample
+    linearising_kernel()(np.concatenate((x, v)), varying, parameters, J)
+    return J, rows, columns
+
+
+@cache
+def structure(parameters: HelicopterParameters) -> tuple[np.ndarray, ...]:
+    """The derivatives (6, 8) of (3) somewhere, the rows and columns of those that do not vanish, columns that vary."""
+    samples = np.stack([np.concatenate(linearise(z[:6], z[6:], parameters), axis=1) for z in GENERIC])
+    return samples[0], *np.nonzero(samples.any(axis=0)), np.flatnonzero((samples[0] != samples[1]).any(axis=0))
+
+
+def integrate(
+    J: np.ndarray, rows: np.ndarray, columns: np.ndarray, Q: np.ndarray, R: np.ndarray, M: np.ndarray, h: float
+) -> tuple[np.ndarray, np.ndarray, float]:
+    """P (2 N + 1, 6, 6) of (50) and K (2, 6, 2 N + 1) of (51), by N steps h in s, given J (2 N + 1, 6, 8).
+
+    And an estimate, on the safe side, of the relative error of the worst of these.
+    """
+    P, K = np.empty((len(J), 6, 6)), np.empty((2, 6, len(J)))
+    P[-1] = M
+    error = riccati_kernel()(P, J, rows, columns, Q, np.linalg.inv(R), h, K)
+    return P, K, error

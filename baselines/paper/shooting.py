@@ -1,0 +1,328 @@
+"""The boundary value problem (38) by multiple shooting: Newton's method on the six parameters of (39), (40).
+
+The initial guess is the paper's: the unconstrained plan with its pitch clipped, by its states at the ends of segments,
+and all parameters zero. Flights and their derivatives are compiled from `boundary_value` as it stands.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache, partial
+from typing import NamedTuple
+
+import numpy as np
+from heli_gym.baselines.compilation import kept
+from heli_gym.baselines.paper.boundary_value import (
+    CLOSEST_PITCH,
+    COEFFICIENTS,
+    KAPPA,
+    ConstrainedProblem,
+    Solution,
+    constrained_motion,
+    constrained_rhs,
+    motion_gradients,
+    new_inputs,
+    setup_functions,
+)
+from heli_gym.baselines.paper.normal_form import alpha1, alpha2, internal_dynamics, thrust_bounds
+from heli_gym.baselines.paper.saturation import psi1, psi1_inverse
+from numpy.polynomial.polynomial import polyval
+
+from heli_gym.model import moved, thrust, virtual_input
+from heli_gym.trajectory import Maneuver, Trajectory
+
+SEGMENTS = 10
+SEARCH, FINE = 10, 70  # Runge-Kutta steps of order four in a segment: to find the parameters, and to refine them
+CLOSE = {SEARCH: 1e-3, FINE: 1e-6}  # rad and rad/s, between the segments and at the goal
+ITERATIONS = 25  # of Newton's method
+LEAST_STEP = 0.5  # share of Newton's step that has to do; smaller ones lead to solutions that swing the elevation
+STRETCHES = (1.0, 1.1, 1.21, 1.33, 1.5)  # of the duration, from which the search may start
+FARTHEST, NEAREST = 0.1, 0.01  # relative steps in which durations are shortened: the first, and when to give up
+NEWTON_STEPS = 20  # for the two parameters of the unconstrained plan
+FREE = 1e-3  # share of its window that a voltage stays off its limits where a plan tells the parameters of (39)
+
+
+@cache
+def shooting_kernel() -> Callable:
+    """The compiled `shoot`; compiled at its first call, and kept on disk for as long as the equations stay the same.
+
+    From the states Y (6, N + 1) at the starts of segments of so many steps each, it fills in those in between, and all
+    derivatives dY (6, N + 1); for each segment, what is missed (6,) at the start of the next one or at the goal, and of
+    the state there the derivatives (6, 7) by the parameters p (6,) of (39), the last column being what is missed, added
+    up along the way: all as if the segments were joined, to first order.
+    """
+
+    def shoot(Y, p, goal, steps, duration, pitch_bounds, f, parameters, dY, missed, sensitivity):
+        last = Y.shape[1] - 1
+        h, each = duration / last, 1.0 / last
+        V, W = np.zeros((6, 7)), np.zeros((6, 7))
+        k1, k2, k3, k4 = np.zeros((6, 7)), np.zeros((6, 7)), np.zeros((6, 7)), np.zeros((6, 7))
+        now = (Y[0, 0], Y[1, 0], Y[2, 0], Y[3, 0], Y[4, 0], Y[5, 0])
+        for n in range(last + 1):
+            tau = n * each
+            d1 = linearised(tau, now, V, p, pitch_bounds, f, parameters, k1)
+            for i in range(6):
+                Y[i, n], dY[i, n] = now[i], d1[i]
+            if n == last:
+                break
+            middle = tau + 0.5 * each
+            varied(V, 0.5 * h, k1, W)
+            d2 = linearised(middle, moved(now, 0.5 * h, d1), W, p, pitch_bounds, f, parameters, k2)
+            varied(V, 0.5 * h, k2, W)
+            d3 = linearised(middle, moved(now, 0.5 * h, d2), W, p, pitch_bounds, f, parameters, k3)
+            varied(V, h, k3, W)
+            d4 = linearised(tau + each, moved(now, h, d3), W, p, pitch_bounds, f, parameters, k4)
+            now = moved(moved(moved(moved(now, h / 6.0, d1), h / 3.0, d2), h / 3.0, d3), h / 6.0, d4)
+            for i in range(6):
+                for j in range(7):
+                    V[i, j] += h / 6.0 * (k1[i, j] + 2.0 * (k2[i, j] + k3[i, j]) + k4[i, j])
+            if (n + 1) % steps == 0:
+                segment = n // steps
+                for i in range(6):
+                    missed[segment, i] = now[i] - (goal[i] if n + 1 == last else Y[i, n + 1])
+                    V[i, 6] += missed[segment, i]
+                    for j in range(7):
+                        sensitivity[segment, i, j] = V[i, j]
+                if n + 1 < last:
+                    m = n + 1
+                    now = (Y[0, m], Y[1, m], Y[2, m], Y[3, m], Y[4, m], Y[5, m])
+
+    return kept(shoot, fast=True)
+
+
+def linearised(tau, Y, V, p, pitch_bounds, f, parameters, dV):
+    """The time derivative of the states Y (6,) of (38) at a share tau of the duration, under (39).
+
+    Fills in that of V (6, 7), small changes of the states, of which the first six are due to the parameters.
+    """
+    motion = constrained_motion(Y, new_inputs(tau, p), pitch_bounds, f, parameters)
+    ddy1, dxi2, ddeta = motion_gradients(Y, motion, f, parameters)
+    for j in range(7):
+        y1, xi1, xi2 = V[0, j], V[2, j], V[3, j]
+        dV[0, j], dV[2, j], dV[4, j] = V[1, j], xi2, V[5, j]
+        dV[1, j] = ddy1[0] * y1 + ddy1[1] * xi1 + ddy1[2] * xi2
+        dV[3, j] = dxi2[0] * y1 + dxi2[1] * xi1 + dxi2[2] * xi2
+        dV[5, j] = ddeta[0] * y1 + ddeta[1] * xi1 + ddeta[2] * xi2
+    power = tau
+    for k in range(KAPPA[0]):
+        power *= tau
+        dV[1, k] += ddy1[3] * (power - tau)
+        dV[5, k] += ddeta[3] * (power - tau)
+    power = tau
+    for k in range(KAPPA[0], KAPPA[0] + KAPPA[1]):
+        power *= tau
+        dV[1, k] += ddy1[4] * (power - tau)
+        dV[3, k] += dxi2[4] * (power - tau)
+        dV[5, k] += ddeta[4] * (power - tau)
+    return constrained_rhs(Y, motion, parameters)
+
+
+def varied(V, h, dV, W):
+    """Fills in W = V + h dV, all (6, 7)."""
+    for i in range(6):
+        for j in range(7):
+            W[i, j] = V[i, j] + h * dV[i, j]
+
+
+@cache
+def interpolation_kernel() -> Callable:
+    """Compiled: cubic Hermite interpolation (6, K) at times t (K,) of Y (6, N + 1) and dY, given every h."""
+
+    def interpolate(Y, dY, h, t):
+        values = np.empty((len(Y), len(t)))
+        for k in range(len(t)):
+            n = min(max(int(t[k] / h), 0), Y.shape[1] - 2)
+            s = t[k] / h - n
+            for i in range(len(Y)):
+                rise, start, end = Y[i, n + 1] - Y[i, n], h * dY[i, n], h * dY[i, n + 1]
+                bend = 3.0 * rise - 2.0 * start - end + s * (start + end - 2.0 * rise)
+                values[i, k] = Y[i, n] + s * (start + s * bend)
+        return values
+
+    return kept(interpolate, fast=True)
+
+
+class Shot(NamedTuple):
+    """A flight in segments under parameters p (6,) of (39), each of which leads close to the start of the next."""
+
+    Y: np.ndarray  # (6, N + 1) states
+    dY: np.ndarray  # (6, N + 1) their derivatives
+    p: np.ndarray
+    missed: np.ndarray  # (S, 6)
+    sensitivity: np.ndarray  # (S, 6, 7), see `shooting_kernel`
+
+    @property
+    def nodes(self) -> np.ndarray:
+        """States (6, S + 1) at the ends of the segments."""
+        return self.Y[:, :: self.Y.shape[1] // len(self.missed)]
+
+
+def shooter(problem: ConstrainedProblem, steps: int) -> Callable[[np.ndarray, np.ndarray], Shot]:
+    """What makes a Shot, in so many steps a segment, of states (6, S + 1) at the ends of segments and parameters (6,).
+
+    The first of these states is that of the problem, and the last one is only where the last segment should lead.
+    """
+    maneuver, kernel = problem.maneuver, shooting_kernel()
+    start, goal = problem.ends()
+    f = thrust_bounds(maneuver.limits, maneuver.parameters)
+    arguments = goal, steps, float(maneuver.duration), problem.pitch_bounds, f, maneuver.parameters
+
+    def shoot(nodes: np.ndarray, p: np.ndarray) -> Shot:
+        problem.check()
+        segments = nodes.shape[1] - 1
+        Y = np.empty((6, segments * steps + 1))
+        new = Shot(Y, np.empty_like(Y), p, np.empty((segments, 6)), np.empty((segments, 6, 7)))
+        Y[:, ::steps] = nodes
+        Y[:, 0] = start
+        kernel(Y, p, *arguments, new.dY, new.missed, new.sensitivity)
+        return new
+
+    return shoot
+
+
+def joined(problem: ConstrainedProblem, nodes: np.ndarray, p: np.ndarray, steps: int = SEARCH) -> Shot | None:
+    """The flight from such a guess, whose segments join, by damped Newton steps; None if these do not converge."""
+    shoot = shooter(problem, steps)
+    with np.errstate(all="ignore"):  # a diverging iteration overflows before it gives up
+        now = shoot(nodes, p)
+        for _ in range(ITERATIONS):
+            if np.abs(now.missed).max() < CLOSE[steps]:
+                return now
+            new = improved(now, shoot)
+            if new is None:
+                return None
+            now = new
+    return None
+
+
+def improved(now: Shot, shoot: Callable[[np.ndarray, np.ndarray], Shot]) -> Shot | None:
+    """The next flight by Newton's step, or by a share of it that misses enough less; None if there is none."""
+    by_p, by_missed = now.sensitivity[:, :, :6], now.sensitivity[:, :, 6]
+    try:
+        dp = -np.linalg.solve(by_p[-1], by_missed[-1])
+    except np.linalg.LinAlgError:
+        return None
+    change = np.zeros((6, len(now.missed) + 1))
+    change[:, 1:] = (by_p @ dp + by_missed).T
+    missed, share = (now.missed**2).sum(), 1.0
+    while share >= LEAST_STEP:
+        new = shoot(now.nodes + share * change, now.p + share * dp)
+        if (new.missed**2).sum() <= (1.0 - 0.5 * share) * missed:
+            return new
+        share *= 0.5
+    return None
+
+
+def unconstrained_guess(maneuver: Maneuver) -> Solution | None:
+    """The solution of (14) at the ends of the segments, by the trapezoidal rule and Newton's method; None if none is.
+
+    The travel starts and ends at rest, and what it covers is the integral of the time that is left times ddeta.
+    """
+    T, p = maneuver.duration, np.zeros(2)
+    share = np.linspace(0.0, 1.0, SEGMENTS * SEARCH + 1)
+    (y1, _, ddy1), _ = setup_functions(maneuver, T * share, p)
+    bumps = polyval(share, COEFFICIENTS[:, 1:, 0])
+    slope = internal_dynamics(y1, math.pi / 4.0, ddy1, maneuver.parameters)  # ddeta is this times tan(y2)
+    h = T / (len(share) - 1)
+    weights = h * np.stack((slope, T * (1.0 - share) * slope))  # at both ends, the pitch is zero
+    for _ in range(NEWTON_STEPS):
+        y2 = p @ bumps
+        if np.abs(y2).max() >= 0.5 * math.pi:
+            return None
+        tangent = np.tan(y2)
+        missed = weights @ tangent - [0.0, maneuver.goal[0] - maneuver.start[0]]
+        if np.abs(missed).max() < 1e-9:
+            deta = integrated(slope * tangent, h)
+            eta = maneuver.start[0] + integrated(deta, h)
+            return Solution(T * share[::SEARCH], np.stack((eta, deta))[:, ::SEARCH], p)
+        p = p - np.linalg.solve((weights * (1.0 + tangent**2)) @ bumps.T, missed)
+    return None
+
+
+def integrated(rate: np.ndarray, h: float) -> np.ndarray:
+    """The integral (K,) of a rate (K,) sampled every h, by the trapezoidal rule."""
+    rise = np.zeros(len(rate))
+    np.cumsum(0.5 * h * (rate[:-1] + rate[1:]), out=rise[1:])
+    return rise
+
+
+def guess_from(problem: ConstrainedProblem, near: Trajectory) -> tuple[np.ndarray, np.ndarray]:
+    """The states (6, S + 1) of a plan at the ends of the segments, in the time of the problem, and parameters (6,).
+
+    Those are fitted to where the voltages are off their limits, which is where (39) can be seen.
+    """
+    share, ratio = np.linspace(0.0, 1.0, SEGMENTS * SEARCH + 1), near.duration / problem.maneuver.duration
+    x, u = near(near.duration * share)
+    p, bounds = problem.maneuver.parameters, problem.pitch_bounds
+    low, high = CLOSEST_PITCH * bounds[0], CLOSEST_PITCH * bounds[1]
+    eta, deta, y1, dy1, y2, dy2 = x * np.array([1.0, ratio] * 3)[:, None]
+    xi1 = psi1_inverse(np.clip(y2, low, high), bounds)
+    pitch = psi1(xi1, bounds)
+    xi2 = dy2 / pitch.slope
+    v1, v2 = virtual_input(thrust(u, p))
+    ddy1, ddy2 = ratio**2 * alpha1(y1, y2, v1, p), ratio**2 * alpha2(y1, y2, v2, p)
+    margin = FREE * (near.limits.u_max - near.limits.u_min)
+    is_free = ((u > near.limits.u_min + margin) & (u < near.limits.u_max - margin)).all(axis=0)
+    is_free &= (low < y2) & (y2 < high)
+    accelerations = ddy1, (ddy2 - pitch.curvature * xi2**2) / pitch.slope
+    fitted = [
+        np.linalg.lstsq(basis[:, is_free].T, acceleration[is_free])[0]
+        for basis, acceleration in zip(problem.ansatz(problem.maneuver.duration * share), accelerations)
+    ]
+    return np.stack((y1, dy1, xi1, xi2, eta, deta))[:, ::SEARCH], np.concatenate(fitted)
+
+
+def unchecked() -> None:
+    """Nothing that would end a search."""
+
+
+def solve_by_shooting(maneuver: Maneuver, check: Callable[[], None] = unchecked) -> Solution | None:
+    """A solution of (38), from the paper's initial guess.
+
+    Where the guess leads to none, that for a longer duration may, and its solution, shortened step by step, to the one
+    asked for. None if there is no such way. `check` may end the search by what it raises.
+    """
+    duration, found = first_shot(maneuver, check)
+    step = FARTHEST
+    while found is not None and duration > maneuver.duration:
+        shorter = max((1.0 - step) * duration, maneuver.duration)
+        ratio = duration / shorter
+        rates = np.array([1.0, ratio] * 3)[:, None]
+        problem = ConstrainedProblem(replace(maneuver, duration=shorter), check)
+        nearer = joined(problem, rates * found.nodes, ratio**2 * found.p)
+        if nearer is not None:
+            duration, found = shorter, nearer
+        else:
+            step *= 0.5
+            found = found if step > NEAREST else None
+    return found and refined(ConstrainedProblem(maneuver, check), found)
+
+
+def solve_near(maneuver: Maneuver, near: Trajectory, check: Callable[[], None] = unchecked) -> Solution | None:
+    """A solution of (38), straight from a plan of a similar maneuver; None if it leads to none."""
+    problem = ConstrainedProblem(maneuver, check)
+    found = joined(problem, *guess_from(problem, near))
+    return found and refined(problem, found)
+
+
+def first_shot(maneuver: Maneuver, check: Callable[[], None]) -> tuple[float, Shot | None]:
+    """The shortest of some durations from the maneuver's on for which the paper's guess leads anywhere, and where."""
+    for stretch in STRETCHES:
+        longer = replace(maneuver, duration=stretch * maneuver.duration)
+        unconstrained = unconstrained_guess(longer)
+        if unconstrained is not None:
+            problem = ConstrainedProblem(longer, check)
+            guess = problem.guess(unconstrained)
+            found = joined(problem, guess.Y, guess.p)
+            if found is not None:
+                return longer.duration, found
+    return math.inf, None
+
+
+def refined(problem: ConstrainedProblem, found: Shot) -> Solution | None:
+    """The solution that is close, in finer steps."""
+    fine = joined(problem, found.nodes, found.p, FINE)
+    if fine is None:
+        return None
+    t = np.linspace(0.0, problem.maneuver.duration, fine.Y.shape[1])
+    return Solution(t, fine.Y, fine.p, partial(interpolation_kernel(), fine.Y, fine.dY, t[1]))

@@ -1,0 +1,145 @@
+"""Section III-E: the time-varying linear quadratic regulator (46)-(51)."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from heli_gym.baselines.paper.riccati import integrate, jacobians_along
+from numpy.typing import ArrayLike
+from scipy.linalg import expm, schur, solve_continuous_are
+
+from heli_gym.model import hover_input, linearise, thrust, virtual_input
+from heli_gym.parameters import HelicopterParameters
+from heli_gym.trajectory import Trajectory
+
+STEP = 0.04  # s, at most, of the Riccati integration; there are gains every half of it
+STIFF = 1e-4  # estimated relative error of a step from which on the integration is done once more, for stiff equations
+SYMMETRY = 1e-5  # relative difference of two entries of a symmetric matrix, at most
+GAUSS = 0.5 - np.sqrt(3.0) / 6.0, 0.5 + np.sqrt(3.0) / 6.0  # where each step evaluates the linearisation
+
+# The weights of (49), which the paper does not give: round numbers by Bryson's rule. Those that `python -m
+# heli_gym.baselines.commands.tune` finds are no better on draws that they were not tuned on.
+Q = np.diag([40.0, 20.0, 40.0, 20.0, 1.0, 0.5])  # per rad² and (rad/s)²
+R = np.diag([1.0, 1.0])  # per N²
+
+
+@dataclass(frozen=True, eq=False)
+class Gains:
+    """Feedback gains over time: t (N,) in s, K (2, 6, N) of (51), P (6, 6, N) of (50). Called, interpolates K."""
+
+    t: np.ndarray
+    K: np.ndarray
+    P: np.ndarray
+
+    def __call__(self, t: ArrayLike) -> np.ndarray:
+        """K (2, 6, ...) at the times t in s, linear in between; before and after, the ends are held."""
+        s = np.clip(np.asarray(t, dtype=float) / self.t[1], 0.0, len(self.t) - 1.0)
+        k = np.minimum(s.astype(int), len(self.t) - 2)
+        return (k + 1 - s) * self.K[:, :, k] + (s - k) * self.K[:, :, k + 1]
+
+
+def stationary_cost(elevation: float, parameters: HelicopterParameters, Q: np.ndarray, R: np.ndarray) -> np.ndarray:
+    """P (6, 6) of the stationary regulator at hover at an elevation in rad, by the algebraic Riccati equation."""
+    hover = np.array([[0.0], [0.0], [elevation], [0.0], [0.0], [0.0]])
+    J, *_ = jacobians_along(hover, hover_input([elevation], parameters), parameters)
+    A, B = J[:, :, :6], J[:, :, 6:]
+    # what decays under the optimal control is an invariant subspace of the Hamiltonian system (Laub, 1979)
+    _, Z, decaying = schur(hamiltonian((A, B), Q, R)[0], sort="lhp")
+    if decaying != 6:
+        return solve_continuous_are(A[0], B[0], Q, R)  # which says what is wrong, if anything is
+    P = np.linalg.solve(Z[:6, :6].T, Z[6:, :6].T)
+    return 0.5 * (P + P.T)
+
+
+def stationary_gain(
+    elevation: float, parameters: HelicopterParameters, Q: np.ndarray = Q, R: np.ndarray = R
+) -> np.ndarray:
+    """Gain K (2, 6) of the stationary regulator at hover at an elevation in rad."""
+    _, B = linearise([0.0, 0.0, elevation, 0.0, 0.0, 0.0], hover_input(elevation, parameters), parameters)
+    return np.linalg.solve(R, B.T @ stationary_cost(elevation, parameters, Q, R))
+
+
+def check_weight(name: str, weight: ArrayLike, size: int, definite: bool = False) -> np.ndarray:
+    """The weight (size, size); raises ValueError unless it is symmetric and positive (semi)definite."""
+    weight = np.asarray(weight, dtype=float)
+    finite = weight.shape == (size, size) and np.isfinite(weight).all()
+    if not finite or (np.abs(weight - weight.T) > SYMMETRY * np.abs(weight)).any():
+        raise ValueError(f"{name} = {weight}: a symmetric ({size}, {size}) matrix is needed")
+    least = np.linalg.eigvalsh(weight)[0]
+    rounding = 1e-12 * np.abs(weight).max()
+    if least < -rounding or (definite and least <= rounding):
+        kind = "positive definite" if definite else "positive semidefinite"
+        raise ValueError(f"{name} = {weight}: a {kind} matrix is needed, and one eigenvalue is {least:g}")
+    return weight
+
+
+def riccati_gains(
+    reference: Trajectory,
+    parameters: HelicopterParameters = HelicopterParameters(),
+    Q: np.ndarray = Q,
+    R: np.ndarray = R,
+    M: np.ndarray | None = None,
+) -> Gains:
+    """Gains (51) along a reference, by the Riccati equation (50) integrated backwards from P(T) = M.
+
+    The gains act on v, not on u: the model is linear in v, while the thrust map (2) is quadratic.
+    Integrated by compiled Runge-Kutta steps, or, where an estimate of their error says that the weights make (50) too
+    stiff for that, by a Magnus expansion.
+
+    Args:
+        reference: what is flown; its duration is T.
+        parameters: those of the model (3) that is linearised.
+        Q, R, M: the weights (6, 6), (2, 2) and (6, 6) of (49). Without an M, the cost of holding the end of the
+            reference for ever, so that the gains end where the stationary regulator's are.
+
+    Raises:
+        ValueError: if a weight has the wrong shape, is not symmetric or not positive (semi)definite.
+    """
+    Q, R = check_weight("Q", Q, 6), check_weight("R", R, 2, definite=True)
+    M = stationary_cost(reference.x[2, -1], parameters, Q, R) if M is None else check_weight("M", M, 6)
+
+    steps = math.ceil(reference.duration / STEP)
+    t = np.linspace(0.0, reference.duration, 2 * steps + 1)
+    x, u = reference(t)
+    J, rows, columns = jacobians_along(x, np.stack(virtual_input(thrust(u, parameters))), parameters)
+    with np.errstate(all="ignore"):  # where the weights make (50) stiff, these steps diverge
+        P, K, error = integrate(J, rows, columns, Q, R, M, t[2])
+    if not error < STIFF:
+        P = integrate_stiff(reference, parameters, Q, R, M, np.linspace(0.0, t[-1], 2 * len(t) - 1))[::2]
+        K = np.moveaxis(np.linalg.inv(R) @ J[:, :, 6:].transpose(0, 2, 1) @ P, 0, -1)
+    return Gains(t, K, np.moveaxis(P, 0, -1))
+
+
+def integrate_stiff(reference, parameters, Q, R, M, t) -> np.ndarray:
+    """P (N, 6, 6) of (50) at the times t (N,).
+
+    By the Magnus expansion of order four of the Hamiltonian system, which is exact where the linearisation is constant,
+    keeps P positive semidefinite and does not mind how stiff the weights make (50).
+    """
+
+    def linearised(times):
+        x, u = reference(times)
+        A, B = linearise(x, virtual_input(thrust(u, parameters)), parameters)
+        return np.moveaxis(A, -1, 0), np.moveaxis(B, -1, 0)
+
+    h, steps = t[1], len(t) - 1
+    early, late = (hamiltonian(linearised(t[:-1] + c * h), Q, R) for c in GAUSS)
+    transitions = expm(-0.5 * h * (early + late) - np.sqrt(3.0) / 12.0 * h**2 * (late @ early - early @ late))
+    P = np.empty((steps + 1, 6, 6))
+    P[steps] = M
+    for n in range(steps, 0, -1):
+        XL = transitions[n - 1] @ np.concatenate((np.eye(6), P[n]))
+        P[n - 1] = np.linalg.solve(XL[:6].T, XL[6:].T)
+        P[n - 1] = 0.5 * (P[n - 1] + P[n - 1].T)
+    return P
+
+
+def hamiltonian(linearisation: tuple[np.ndarray, np.ndarray], Q: np.ndarray, R: np.ndarray) -> np.ndarray:
+    """Matrices (N, 12, 12) of the linear equation of which (50) is the quotient: P = L X^-1, d(X, L)/dt = H (X, L)."""
+    A, B = linearisation
+    H = np.empty((len(A), 12, 12))
+    H[:, :6, :6] = A
+    H[:, :6, 6:] = -B @ np.linalg.solve(R, B.transpose(0, 2, 1))
+    H[:, 6:, :6] = -Q
+    H[:, 6:, 6:] = -A.transpose(0, 2, 1)
+    return H

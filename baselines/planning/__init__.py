@@ -1,0 +1,1 @@
+"""Planners: a maneuver in, a checked Trajectory out; imports `heli_gym` and `paper`."""

@@ -1,0 +1,152 @@
+"""Optimal control by direct collocation, with CasADi and IPOPT: slow, and next to nothing assumed.
+
+Hermite-Simpson on equation (3) itself; thrusts are linear between the nodes, so that they keep their limits there too.
+Needs the extra `ocp`.
+"""
+
+import math
+import time
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+from heli_gym.baselines.paper.boundary_value import sample_times
+from heli_gym.baselines.paper.normal_form import thrust_bounds
+from scipy.interpolate import CubicHermiteSpline
+
+from heli_gym.model import dynamics, hover_input, virtual_input, voltage
+from heli_gym.trajectory import Maneuver, Trajectory
+
+OBJECTIVES = ("time", "effort")
+INTERVALS = 100
+SHORTEST, LONGEST = 0.05, 600.0  # s, of any transition, and of any computation
+STEPS = 3000  # of the interior-point method, at most
+TIGHTENINGS = 5  # of the pitch limits
+RESERVE = 3e-5  # rad, from the pitch limits, so that the replayed plan keeps them although it was only interpolated
+
+
+class Collocation(NamedTuple):
+    """What collocation found: times (K,) in s, states (6, K), and thrusts (2, K) in N, linear in between."""
+
+    t: np.ndarray
+    x: np.ndarray
+    f: np.ndarray
+
+
+def import_casadi() -> Any:
+    """CasADi. Raises ImportError with what to install where it is missing."""
+    try:
+        import casadi
+    except ImportError as error:
+        raise ImportError("optimal control needs CasADi: pip install 'heli-gym[ocp]'") from error
+    return casadi
+
+
+def collocate(
+    maneuver: Maneuver,
+    objective: str = "effort",
+    intervals: int = INTERVALS,
+    guess: Collocation | None = None,
+    time_limit: float = LONGEST,
+) -> Collocation | None:
+    """The transition of least time, at most the maneuver's duration, or of least effort in exactly that.
+
+    Effort is the integral of the squared distance of both thrusts from what hovers at the goal.
+
+    Args:
+        maneuver: what is flown.
+        objective: "time" or "effort".
+        intervals: of the collocation.
+        guess: where to start; a straight line between the ends at the thrust of hover by default.
+        time_limit: in s, for the solver.
+
+    Returns:
+        A local optimum; None if the solver finds none.
+
+    Raises:
+        ValueError: if the objective is unknown.
+        ImportError: if CasADi is missing.
+    """
+    if objective not in OBJECTIVES:
+        raise ValueError(f"objective = {objective!r}: one of {', '.join(OBJECTIVES)} is needed")
+    ca = import_casadi()
+    limits, p, n = maneuver.limits, maneuver.parameters, intervals
+    ends = np.array([[travel, 0.0, elevation, 0.0, 0.0, 0.0] for travel, elevation in (maneuver.start, maneuver.goal)])
+    hover = 0.5 * float(hover_input(maneuver.goal[1], p)[0])
+    x, f = ca.SX.sym("x", 6), ca.SX.sym("f", 2)
+    derivative = dynamics(ca.vertsplit(x), (f[0] + f[1], f[0] - f[1]), p, ca.sin, ca.cos)
+    rhs = ca.Function("rhs", [x, f], [ca.vertcat(*derivative)])
+
+    problem = ca.Opti()
+    X, F = problem.variable(6, n + 1), problem.variable(2, n + 1)
+    T = problem.variable() if objective == "time" else maneuver.duration
+    h, left, right = T / n, slice(0, n), slice(1, n + 1)
+    dX = rhs.map(n + 1)(X, F)
+    middle = 0.5 * (X[:, left] + X[:, right]) + h / 8.0 * (dX[:, left] - dX[:, right])
+    between = rhs.map(n)(middle, 0.5 * (F[:, left] + F[:, right]))
+    problem.subject_to(X[:, right] == X[:, left] + h / 6.0 * (dX[:, left] + 4.0 * between + dX[:, right]))
+    for k, end in ((0, ends[0]), (n, ends[1])):
+        problem.subject_to(X[:, k] == end)
+    low, high = thrust_bounds(limits, p)
+    problem.subject_to(problem.bounded(low, ca.vec(F), high))
+    problem.subject_to(problem.bounded(limits.pitch_min, X[4, :].T, limits.pitch_max))
+    problem.subject_to(problem.bounded(limits.pitch_min, middle[4, :].T, limits.pitch_max))
+    if objective == "time":
+        problem.minimize(T)
+        problem.subject_to(problem.bounded(SHORTEST, T, maneuver.duration))
+        problem.set_initial(T, maneuver.duration if guess is None else guess.t[-1])
+    else:
+        problem.minimize(h * ca.sumsqr(F - hover))
+
+    share = np.linspace(0.0, 1.0, n + 1)
+    if guess is None:
+        problem.set_initial(X, ends[0][:, None] + (ends[1] - ends[0])[:, None] * share)
+        problem.set_initial(F, hover)
+    else:
+        times = share * guess.t[-1]
+        problem.set_initial(X, np.stack([np.interp(times, guess.t, row) for row in guess.x]))
+        problem.set_initial(F, np.stack([np.interp(times, guess.t, row) for row in guess.f]))
+    options = {"print_level": 0, "sb": "yes", "max_iter": STEPS, "max_wall_time": max(time_limit, 1e-3)}
+    problem.solver("ipopt", {"print_time": False}, options)
+    try:
+        solution = problem.solve()
+    except RuntimeError:  # so CasADi says that IPOPT did not converge
+        return None
+    return Collocation(share * float(solution.value(T)), solution.value(X), solution.value(F))
+
+
+def collocated_trajectory(
+    maneuver: Maneuver, objective: str = "effort", time_limit: float | None = None
+) -> Trajectory | None:
+    """What `collocate` finds, sampled, keeping the limits between the nodes too; None if there is no such.
+
+    Where the pitch swings out between two nodes, its limits are tightened by as much, and once more.
+    """
+    deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
+    tight, found = maneuver, None
+    for _ in range(TIGHTENINGS):
+        found = collocate(tight, objective, INTERVALS, found, min(deadline - time.perf_counter(), LONGEST))
+        if found is None:
+            return None
+        trajectory = sampled(replace(maneuver, duration=float(found.t[-1])), found)
+        pitch, (low, high) = trajectory.x[4], maneuver.limits.pitch
+        excess = max(low - pitch.min(), pitch.max() - high) + RESERVE
+        if excess <= 0.0:
+            return trajectory
+        pitch_min, pitch_max = tight.limits.pitch
+        excess *= 1.5
+        tight = replace(
+            maneuver, limits=replace(maneuver.limits, pitch_min=pitch_min + excess, pitch_max=pitch_max - excess)
+        )
+    return None
+
+
+def sampled(maneuver: Maneuver, found: Collocation) -> Trajectory:
+    """The trajectory of a solution: thrusts linear, states cubic between the nodes."""
+    p, t = maneuver.parameters, sample_times(maneuver)
+    f = np.clip([np.interp(t, found.t, row) for row in found.f], *thrust_bounds(maneuver.limits, p))
+    rates = np.stack(dynamics(found.x, virtual_input(found.f), p))
+    x = CubicHermiteSpline(found.t, found.x, rates, axis=1)(t)
+    for k, (travel, elevation) in ((0, maneuver.start), (-1, maneuver.goal)):
+        x[:, k] = travel, 0.0, elevation, 0.0, 0.0, 0.0
+    return Trajectory(t, x, voltage(f, p), maneuver.limits)

@@ -1,0 +1,126 @@
+"""The paper's method, Section III-D: (38) by shooting, or by collocation, and from longer durations to shorter ones."""
+
+from dataclasses import replace
+
+import numpy as np
+from heli_gym.baselines.paper.boundary_value import FINE, ConstrainedProblem, Solution, solve_unconstrained
+from heli_gym.baselines.paper.shooting import solve_by_shooting, solve_near
+from heli_gym.baselines.planning.feasibility import (
+    ATTEMPTS,
+    LENGTHENING,
+    SHORTEST,
+    TimeLimit,
+    checked,
+    no_plan,
+    start_clock,
+)
+
+from heli_gym.trajectory import Maneuver, Trajectory
+
+FARTHEST, NEAREST = (
+    0.1,
+    5e-3,
+)  # relative steps in which durations are shortened: the first, and the one that is the last
+
+
+def plan_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """Section III-D, by shooting, or else by collocation, from (14) or by shortening."""
+    trajectory = shot(maneuver, clock) or checked_solution(maneuver, solve_from_unconstrained(maneuver, clock), clock)
+    if trajectory is None:
+        trajectory, found = shortened(maneuver, clock)
+        if trajectory is None:
+            raise no_plan(maneuver, shortest_checked(maneuver, found, clock))
+    return trajectory
+
+
+def plan_fastest_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """Section III-D, shortened as far as it goes."""
+    _, found = shortened(replace(maneuver, duration=SHORTEST), clock)
+    fastest = shortest_checked(maneuver, found, clock)
+    if fastest is None or fastest.duration > maneuver.duration:
+        raise no_plan(maneuver, fastest)
+    return fastest
+
+
+def shot(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
+    """Section III-D by shooting, if that leads to a solution and this passes the check."""
+    solution = solve_by_shooting(maneuver, check=clock.check)
+    return checked(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution))
+
+
+def shot_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
+    """The same, straight from a plan of a similar maneuver."""
+    solution = solve_near(maneuver, near, clock.check)
+    return checked(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution))
+
+
+def solve_from_unconstrained(maneuver: Maneuver, clock: TimeLimit | None = None) -> Solution | None:
+    """The paper's way: (14) first, then (38) from there."""
+    clock = clock or start_clock(maneuver, None)
+    unconstrained = solve_unconstrained(maneuver)
+    if unconstrained is None:
+        return None
+    problem = ConstrainedProblem(maneuver, clock.check)
+    return problem.solve(problem.guess(unconstrained.stretched(maneuver.duration)))
+
+
+def shortened(maneuver: Maneuver, clock: TimeLimit) -> tuple[Trajectory | None, list[Solution]]:
+    """Homotopy in the duration, from one that works down to the maneuver's, in steps that halve when one fails.
+
+    The durations do not depend on the one that is asked for until they come near it: what is found for one is found for
+    every longer one. Where a step leads past it only, to another branch of solutions, the way back up is tried.
+    Returns the plan, if there is one, and solutions of the same in longer and then ever shorter times.
+    """
+    found = [first_solution(maneuver, clock)]
+    step = FARTHEST
+
+    def reach(duration: float, start: Solution) -> Solution | None:
+        problem = ConstrainedProblem(replace(maneuver, duration=duration), clock.check)
+        return problem.solve(start.stretched(duration))
+
+    while step > NEAREST:
+        shorter = float(found[-1].t[-1]) * (1.0 - step)
+        if shorter > maneuver.duration:
+            ahead = reach(shorter, found[-1])
+            if ahead is not None:
+                found.append(ahead)
+                continue
+        else:
+            trajectory = checked_solution(maneuver, reach(maneuver.duration, found[-1]), clock)
+            if trajectory is None and (below := reach(shorter, found[-1])):
+                trajectory = checked_solution(maneuver, reach(maneuver.duration, below), clock)
+            if trajectory is not None:
+                return trajectory, found
+        step /= 2.0
+    return None, found
+
+
+def first_solution(maneuver: Maneuver, clock: TimeLimit) -> Solution:
+    """A solution of (38) in a longer time, found from the unconstrained plan; raises InfeasibleManeuver if none is."""
+    # Level flight at the pitch limit accelerates the travel by b1/b2 a2 tan(q3), see (14a), half of the way.
+    p, pitch = maneuver.parameters, min(np.abs(maneuver.limits.pitch))
+    acceleration = abs(p.b1 / p.b2 * p.a2) * np.tan(pitch)
+    duration = SHORTEST + 2.0 * np.sqrt(abs(maneuver.goal[0] - maneuver.start[0]) / acceleration)
+    for _ in range(ATTEMPTS):
+        duration *= LENGTHENING
+        if duration > maneuver.duration:
+            solution = solve_from_unconstrained(replace(maneuver, duration=duration), clock)
+            if solution is not None:
+                return solution
+    raise no_plan(maneuver, None)
+
+
+def shortest_checked(maneuver: Maneuver, found: list[Solution], clock: TimeLimit) -> Trajectory | None:
+    """The last of the solutions that passes the check, as a trajectory."""
+    for solution in reversed(found):
+        trajectory = checked_solution(replace(maneuver, duration=float(solution.t[-1])), solution, clock)
+        if trajectory is not None:
+            return trajectory
+    return None
+
+
+def checked_solution(maneuver: Maneuver, solution: Solution | None, clock: TimeLimit) -> Trajectory | None:
+    """The trajectory of a solution of (38), refined, if it passes the check."""
+    problem = ConstrainedProblem(maneuver, clock.check)
+    fine = solution and problem.solve(solution, FINE)
+    return checked(maneuver, fine and problem.trajectory(fine))

@@ -1,0 +1,290 @@
+"""Maneuver in, Trajectory out: every method, and the check that all plans pass."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from heli_gym.baselines.paper.boundary_value import FINE, solve_unconstrained, unconstrained_trajectory
+from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning.collocation import collocated_trajectory
+from heli_gym.baselines.planning.feasibility import (
+    ATTEMPTS,
+    LENGTHENING,
+    SHORTEST,
+    InfeasibleManeuver,
+    TimeLimit,
+    checked,
+    no_plan,
+    start_clock,
+)
+from heli_gym.baselines.planning.flat import flat_trajectory
+from heli_gym.baselines.planning.paper_method import plan_fastest_paper, plan_paper, shot, shot_near
+
+from heli_gym.parameters import Limits
+from heli_gym.trajectory import Maneuver, Trajectory
+
+PITCH_RESERVES = (0.0, 1e-4)  # shares of the pitch limits that the fastest spline leaves: flown, it is off by 1e-5 rad
+MARGINS = (1e-3, 1e-2)  # shares of the shortest duration by which it is lengthened until its smoothest plan is found
+FLAT_ACCURACY = 1e-3  # relative, of the shortest duration of a flat plan
+WORTH_NAMING = 0.01  # share of the duration that a limit must cost, by its whole window, to be called in the way
+
+
+def plan_unconstrained(maneuver: Maneuver) -> Trajectory:
+    """Section III-B: the trajectory of (14), which ignores the limits.
+
+    Raises InfeasibleManeuver if there is none: below some duration the pitch would have to pass 90 degrees.
+    """
+    solution = solve_unconstrained(maneuver, FINE)
+    if solution is None:
+        raise InfeasibleManeuver(
+            f"no unconstrained plan for {maneuver}: the pitch would pass 90 degrees; a longer duration is easier"
+        )
+    return unconstrained_trajectory(maneuver, solution)
+
+
+def plan(
+    maneuver: Maneuver, method: str = "auto", time_limit: float | None = None, near: Trajectory | None = None
+) -> Trajectory:
+    """A trajectory from rest to rest that meets the maneuver's limits.
+
+    Whatever the method, what is returned has been replayed through (3) by an adaptive integrator: it ends within
+    1e-3 rad and 1e-3 rad/s of the goal, and stays within the limits to 1e-6 V and rad.
+
+    Args:
+        maneuver: what is asked for.
+        method: one of
+            "paper", which solves (38) with the ansatz (39), (40), the unconstrained plan being the initial guess, by
+            shooting or by collocation. If that finds nothing, it starts from a longer duration, which is easier, and
+            shortens it step by step;
+            "spline", the smoothest plan of many more free parameters, see `spline`;
+            "flat", polynomials in the flat outputs, see `flat`;
+            "collocation", the plan of least effort, see `collocation`; needs the extra `ocp`;
+            "auto", which takes the paper's plan if shooting finds one, and else the spline's.
+        time_limit: in s, after which the search is given up; looked at every few ms. Compiling, at the first use after
+            an installation, takes some 20 s of it.
+        near: a plan of a similar maneuver, by whatever method, from which "paper", "spline" and "auto" then start;
+            where that leads to nothing, they start as they would without.
+
+    Raises:
+        ValueError: if the method is unknown or cannot start from a plan, or the time limit is not positive.
+        InfeasibleManeuver: if the method finds no such trajectory; names the constraint in the way and the shortest
+            duration that it can plan; or if the time is over.
+    """
+    if method not in METHODS:
+        raise ValueError(f"method = {method!r}: one of {', '.join(METHODS)} is needed")
+    clock = start_clock(maneuver, time_limit)
+    if near is None:
+        return METHODS[method](maneuver, clock)
+    if not isinstance(near, Trajectory):
+        raise ValueError(f"near = {near!r}: a Trajectory is needed")
+    if method not in NEARBY:
+        raise ValueError(
+            f"method = {method!r} does not start from a plan near by: one of {', '.join(NEARBY)} is needed"
+        )
+    return NEARBY[method](maneuver, near, clock) or METHODS[method](maneuver, clock)
+
+
+def plan_fastest(
+    maneuver: Maneuver, method: str = "auto", reserve: float = 0.0, time_limit: float | None = None
+) -> Trajectory:
+    """The plan of the shortest duration that a method finds, up to the maneuver's own.
+
+    Args:
+        maneuver: what is asked for.
+        method: "spline", "paper", "flat" or "collocation", as of `plan`; "auto" is "spline".
+        reserve: for the feedback, the share of the voltage window and of the pitch window that the plan leaves free,
+            half of it at each end.
+        time_limit: in s, after which the search is given up.
+
+    Returns:
+        A plan that passes the check of `plan`, under the maneuver's own limits.
+
+    Raises:
+        ValueError: if an argument is none of these, if start and goal are the same, or if the windows that are left do
+            not even permit hover at the start or at the goal.
+        InfeasibleManeuver: if the shortest duration found is longer than the maneuver's; or if the time is over.
+    """
+    if method not in FASTEST:
+        raise ValueError(f"method = {method!r}: one of {', '.join(FASTEST)} is needed")
+    if not 0.0 <= reserve < 1.0:
+        raise ValueError(f"reserve = {reserve!r}: at least 0 and less than 1 is needed")
+    if maneuver.start == maneuver.goal:
+        raise ValueError(f"goal = {maneuver.goal}: another point than the start is needed")
+    asked = replace(maneuver, limits=reserved(maneuver.limits, reserve))
+    return replace(FASTEST[method](asked, start_clock(maneuver, time_limit)), limits=maneuver.limits)
+
+
+def reserved(limits: Limits, reserve: float) -> Limits:
+    """Narrower windows of voltages and pitch, by a share, about the same centres."""
+    (u_min, u_max), (pitch_min, pitch_max) = (
+        (low + 0.5 * reserve * (high - low), high - 0.5 * reserve * (high - low))
+        for low, high in (limits.u, limits.pitch)
+    )
+    return Limits(u_min, u_max, pitch_min, pitch_max)
+
+
+# The methods
+
+
+def plan_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """The paper's plan, where shooting finds one, or else a spline."""
+    trajectory = shot(maneuver, clock)
+    return plan_spline(maneuver, clock) if trajectory is None else trajectory
+
+
+def auto_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
+    """The same from a plan of a similar maneuver, if that leads anywhere."""
+    return shot_near(maneuver, near, clock) or shot(maneuver, clock) or spline_near(maneuver, near, clock)
+
+
+def spline_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
+    """The smoothest spline from a plan of a similar maneuver, if that leads anywhere."""
+    return checked(maneuver, spline.plan_near(maneuver, near))
+
+
+def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """The smoothest spline from a plain guess, or else from the fastest one, if that is fast enough."""
+    trajectory = checked(maneuver, spline.plan_smoothest(maneuver))
+    if trajectory is not None:
+        return trajectory
+    fastest, _ = fastest_spline(maneuver, clock)
+    if fastest.duration <= maneuver.duration:
+        trajectory = checked(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check))
+        if trajectory is not None:
+            return trajectory
+    for margin in MARGINS:
+        longer = replace(maneuver, duration=(1.0 + margin) * max(fastest.duration, maneuver.duration))
+        if checked(longer, spline.plan_lengthened(longer, fastest, clock.check)) is not None:
+            raise InfeasibleManeuver(
+                f"no plan for {maneuver}; the shortest found takes {longer.duration:.2f} s: "
+                f"{obstacles(longer, fastest)}",
+                longer.duration,
+            )
+    raise InfeasibleManeuver(f"no plan for {maneuver}: {obstacles(maneuver, fastest)}")
+
+
+def plan_fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """The spline of the shortest duration."""
+    fastest, trajectory = fastest_spline(maneuver, clock)
+    if fastest.duration > maneuver.duration:
+        raise InfeasibleManeuver(
+            f"no plan for {maneuver}; the shortest found takes {fastest.duration:.2f} s: "
+            f"{obstacles(maneuver, fastest)}",
+            fastest.duration,
+        )
+    return trajectory
+
+
+def fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> tuple[spline.Spline, Trajectory]:
+    """The fastest spline, checked; raises InfeasibleManeuver if there is none."""
+    limits = maneuver.limits
+    for share in PITCH_RESERVES:
+        pitch_min, pitch_max = (1.0 - share) * limits.pitch_min, (1.0 - share) * limits.pitch_max
+        narrower = replace(maneuver, limits=replace(limits, pitch_min=pitch_min, pitch_max=pitch_max))
+        found = spline.plan_fastest(narrower, clock.check)
+        if found is None:
+            break
+        fastest, trajectory = found[0], replace(found[1], limits=limits)
+        if checked(replace(maneuver, duration=fastest.duration), trajectory) is not None:
+            return fastest, trajectory
+    raise InfeasibleManeuver(f"no plan for {maneuver}, nor for the same in any other time")
+
+
+def obstacles(maneuver: Maneuver, fastest: spline.Spline) -> str:
+    """What is in the way of a faster plan: the limits, and by their multipliers what a little more would save."""
+    limits, p = maneuver.limits, maneuver.parameters
+    low, high, pitch_low, pitch_high = fastest.duration * fastest.multipliers
+    (slope_low, slope_high), degree = 2.0 * p.k_plus * np.abs(limits.u), math.pi / 180.0
+    savings = {
+        f"the lower voltage limit (1 V less would save {low * slope_low:.2g} s)": low * slope_low,
+        f"the upper voltage limit (1 V more would save {high * slope_high:.2g} s)": high * slope_high,
+        f"the pitch limits (1 degree more would save {(pitch_low + pitch_high) * degree:.2g} s)": (
+            (pitch_low + pitch_high) * max(limits.pitch)
+        ),
+    }
+    named = [name for name, saving in savings.items() if saving > WORTH_NAMING * fastest.duration]
+    return f"in the way are {' and '.join(named)}" if named else "none of its limits stands out as the cause"
+
+
+def plan_flat(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """Polynomials in the flat outputs."""
+    trajectory = checked(maneuver, flat_trajectory(maneuver))
+    if trajectory is None:
+        raise no_plan(maneuver, flat_above(maneuver, maneuver.duration, clock))
+    return trajectory
+
+
+def plan_fastest_flat(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """Polynomials in the flat outputs, as fast as the limits permit."""
+    fastest = flat_above(maneuver, 0.0, clock)
+    if fastest is None or fastest.duration > maneuver.duration:
+        raise no_plan(maneuver, fastest)
+    return fastest
+
+
+def flat_above(maneuver: Maneuver, shortest: float, clock: TimeLimit) -> Trajectory | None:
+    """By bisection, the shortest flat plan that takes longer than the shortest duration given."""
+
+    def attempt(duration: float) -> Trajectory | None:
+        clock.check()
+        longer = replace(maneuver, duration=duration)
+        return checked(longer, flat_trajectory(longer))
+
+    slow, best = max(shortest, SHORTEST), None
+    for _ in range(ATTEMPTS):
+        best = attempt(slow)
+        if best is not None:
+            break
+        shortest, slow = slow, LENGTHENING * slow
+    while best is not None and best.duration - shortest > FLAT_ACCURACY * best.duration:
+        middle = 0.5 * (shortest + best.duration)
+        faster = attempt(middle)
+        best, shortest = (best, middle) if faster is None else (faster, shortest)
+    return best
+
+
+def plan_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """Least effort, by direct collocation."""
+    trajectory = checked(maneuver, collocated_trajectory(maneuver, "effort", clock.left))
+    if trajectory is None:
+        clock.check()
+        raise no_plan(maneuver, collocated_above(maneuver, clock))
+    return trajectory
+
+
+def plan_fastest_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """Least time, by direct collocation."""
+    fastest = collocated_above(maneuver, clock)
+    if fastest is None or fastest.duration > maneuver.duration:
+        raise no_plan(maneuver, fastest)
+    return fastest
+
+
+def collocated_above(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
+    """Least time, by direct collocation, whatever the maneuver's duration."""
+    easy = replace(maneuver, duration=max(maneuver.duration, spline.easy_duration(maneuver)))
+    trajectory = collocated_trajectory(easy, "time", clock.left)
+    clock.check()
+    return trajectory and checked(replace(maneuver, duration=trajectory.duration), trajectory)
+
+
+METHODS: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
+    "auto": plan_auto,
+    "paper": plan_paper,
+    "spline": plan_spline,
+    "flat": plan_flat,
+    "collocation": plan_collocation,
+}
+NEARBY: dict[str, Callable[[Maneuver, Trajectory, TimeLimit], Trajectory | None]] = {
+    "auto": auto_near,
+    "paper": shot_near,
+    "spline": spline_near,
+}
+FASTEST: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
+    "auto": plan_fastest_spline,
+    "spline": plan_fastest_spline,
+    "paper": plan_fastest_paper,
+    "flat": plan_fastest_flat,
+    "collocation": plan_fastest_collocation,
+}

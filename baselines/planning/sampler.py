@@ -1,0 +1,59 @@
+"""A new maneuver in every episode: what an environment takes as `reference=` in place of one Trajectory."""
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning.feasibility import checked
+
+from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.trajectory import Maneuver, Trajectory
+
+DRAWS = 1000  # at most, until one can be planned
+
+
+@dataclass(frozen=True)
+class ManeuverSampler:
+    """Plans of random transitions, all of one duration. Called with a random generator, it draws one.
+
+    Each is the smoothest plan of `spline` and has passed the check of `plan`. What cannot be planned straight away is
+    drawn again. A plain value: it can be compared, pickled, and sent to other processes.
+
+    Args:
+        duration: of every plan, in s.
+        travel: range of the travel, in rad; it starts at zero.
+        elevation: range of the elevations at the start and at the goal, in rad.
+        limits: what a plan may use; the defaults leave the feedback a reserve to (9).
+        parameters: the helicopter that flies.
+
+    Raises:
+        ValueError: if a range is not finite or upside down, or hover anywhere in it takes more than the limits.
+    """
+
+    duration: float = 12.0
+    travel: tuple[float, float] = (-2.0 * math.pi, 2.0 * math.pi)
+    elevation: tuple[float, float] = (-math.radians(8.0), math.radians(8.0))
+    limits: Limits = field(default_factory=lambda: Limits(2.0, 10.5, -math.radians(40.0), math.radians(40.0)))
+    parameters: HelicopterParameters = field(default_factory=HelicopterParameters)
+
+    def __post_init__(self) -> None:
+        for name in ("travel", "elevation"):
+            low, high = getattr(self, name)
+            if not (math.isfinite(low) and math.isfinite(high) and low <= high):
+                raise ValueError(f"{name} = {getattr(self, name)!r}: finite (low, high) in rad are needed")
+        for corner in self.elevation:
+            self.maneuver(self.travel[1], corner, corner)  # which refuses what cannot hover
+
+    def maneuver(self, travel: float, start: float, goal: float) -> Maneuver:
+        """The transition by a travel, between two elevations, all in rad."""
+        return Maneuver((0.0, start), (travel, goal), self.duration, self.limits, self.parameters)
+
+    def __call__(self, rng: np.random.Generator) -> Trajectory:
+        """The plan of a random transition. Raises RuntimeError if there hardly is any in this duration."""
+        for _ in range(DRAWS):
+            maneuver = self.maneuver(rng.uniform(*self.travel), *rng.uniform(*self.elevation, size=2))
+            trajectory = checked(maneuver, spline.plan_smoothest(maneuver))
+            if trajectory is not None:
+                return trajectory
+        raise RuntimeError(f"none of {DRAWS} draws of {self} could be planned; a longer duration is easier")

@@ -1,0 +1,325 @@
+"""N helicopters in flight: their numbers in arrays, and the compiled kernels that work on these."""
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from gymnasium.error import ResetNeeded
+
+from heli_gym import plant
+from heli_gym.plant import AXES, ROTORS, Gust, MovingMass, Plant, Push, RotorFault, Rotors
+from heli_gym.rigid_body import RigidBodyParameters
+from heli_gym.simulation import kernels
+from heli_gym.simulation.kernels import (
+    ASKED,
+    DISTURBANCE,
+    DISTURBANCES,
+    LANES,
+    LAST,
+    LIMITS,
+    OBSERVED,
+    PUSH,
+    ROW,
+    SETTINGS,
+    SLIDE,
+    START_PLANT,
+    TABLE,
+    TOLD,
+    TOLD_AND_MEASURED,
+    WANDER,
+    Ranges,
+    Settings,
+)
+from heli_gym.task import FEATURES, Shown, control_steps, reference_features, shown_by, shown_by_any
+from heli_gym.trajectory import Sampler, Trajectory
+
+SUBSTEP = 10e-3  # s, at most, of the integration where there is more than (3)
+
+
+def numbers(p: Plant) -> list:
+    """The numbers of a plant, some of which may be ranges, in the order of the rows from NUMBERS on.
+
+    Then, of each disturbance, KIND to CORRELATION. Counts of zero stand for sensors that are exact.
+    """
+    rotors, friction, sensors = p.rotors, p.friction, p.sensors
+    rows = [*p.parameters, *(p.rig or (0.0,) * len(RigidBodyParameters._fields))]
+    rows += [rotors.lag, rotors.thrust_loss, rotors.slew, rotors.delay, *friction.viscous, *friction.coulomb]
+    rows += [*sensors.counts, sensors.noise, sensors.rate_filter] if sensors else [0.0, 0.0, 0.0, 0.0, 1.0]
+    for value in p.disturbances:
+        match value:
+            case Push(axis, acceleration, start, duration):
+                rows += [PUSH, AXES.index(axis), acceleration, start, duration, 1.0, 0.0, 0.0]
+            case Gust(axis, strength, correlation_time):
+                rows += [WANDER, AXES.index(axis), strength, 0.0, math.inf, correlation_time, 0.0, 0.0]
+            case MovingMass(a2_change, start, duration):
+                rows += [SLIDE, len(AXES), a2_change, start, duration, 1.0, 0.0, 0.0]
+            case RotorFault(rotor, loss, start):
+                rows += [PUSH, len(AXES) + 1 + ROTORS.index(rotor), loss, start, math.inf, 1.0, 0.0, 0.0]
+    return rows
+
+
+def ranges_of(p: Plant) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The numbers (A, R) of the alternatives of a plant, as low, span and index of `Ranges`."""
+    ends = np.concatenate((np.zeros((1, p.uniforms)), np.eye(p.uniforms)[1:]))[:, 1:]
+    # the numbers of each alternative where no uniform is one, then where each of them in turn is
+    corners = np.array([[numbers(plant.drawn(q, iter(u))) for u in ends.tolist()] for q in p.alternatives], float)
+    low = corners[:, 0]
+    changed = corners[:, 1:] != low[:, None]
+    index = np.where(changed.any(axis=1), changed.argmax(axis=1) + 1, 0) if p.uniforms else np.zeros(low.shape, int)
+    high = np.take_along_axis(corners, index[:, None], axis=1)[:, 0]
+    span = np.subtract(high, low, out=np.zeros(low.shape), where=index > 0)
+    return low, span, index
+
+
+def stacked_ranges(plants: Sequence[Plant]) -> Ranges:
+    """The ranges of all plants; zeros stand for disturbances, which push nothing, where one has fewer than another."""
+    groups = group_by_identity(plants)
+    each = [ranges_of(p) for p, _ in groups]
+    width = max(low.shape[1] for low, _, _ in each)
+    first, count = np.zeros(len(plants), int), np.zeros(len(plants), int)
+    place = 0
+    for (_, members), (low, _, _) in zip(groups, each):
+        first[members], count[members] = place, len(low)
+        place += len(low)
+    low, span, index = (
+        np.concatenate([np.pad(part, ((0, 0), (0, width - part.shape[1]))) for part in parts]) for parts in zip(*each)
+    )
+    return Ranges(low, span, index, first, count)
+
+
+def right_hand_side(plants: Sequence[Plant]) -> Callable:
+    """The simplest one that serves all these plants. Raises ValueError if only some of them are rigid bodies."""
+    rigid = {q.rig is not None for p in plants for q in p.alternatives}
+    if len(rigid) > 1:
+        raise ValueError("plant: either all plants of a simulation have a rig, or none")
+    if rigid.pop():
+        return kernels.rigid_body_hindered
+    return kernels.equation_3 if all(p.is_plain for p in plants) else kernels.equation_3_hindered
+
+
+class Simulation:
+    """N helicopters in flight: their numbers, and the compiled steps that work on these.
+
+    Args:
+        plants: (N) of each helicopter, with ranges or without.
+        references: (N) that each follows, or what draws one for every flight.
+        control_period: s.
+        voltage_limits: V, the amplifier's.
+        pitch_limit: rad, where a flight ends.
+        start_spread: rad, within which each angle starts about the reference's.
+        random_start: whether flights start at a random time of their reference, rather than at its start.
+        dtype: of the numbers, np.float64 or np.float32.
+
+    Raises:
+        ValueError: if only some of the plants are rigid bodies.
+    """
+
+    def __init__(
+        self,
+        plants: Sequence[Plant],
+        references: Sequence[Trajectory | Sampler],
+        control_period: float,
+        voltage_limits: tuple[float, float],
+        pitch_limit: float,
+        start_spread: float = 0.0,
+        random_start: bool = False,
+        dtype: type = np.float64,
+    ) -> None:
+        self.plants, self.sources, self.dtype = list(plants), list(references), dtype
+        self.control_period, self.voltage_limits, self.pitch_limit = control_period, voltage_limits, pitch_limit
+        all_plants = [p for p, _ in group_by_identity(plants)]
+        self.rhs = right_hand_side(all_plants)
+        immediate = all(p.is_plain and p.rotors == Rotors() for p in all_plants)
+        self.fly = kernels.fly_plain if immediate else kernels.fly_hindered
+        disturbances = max(len(p.disturbances) for p in all_plants)
+        delay = max(p.rotors.delay for p in all_plants)
+        settings = Settings(
+            period=control_period,
+            substeps=1 if self.rhs is kernels.equation_3 else math.ceil(control_period / SUBSTEP - 1e-9),
+            u_low=voltage_limits[0],
+            u_high=voltage_limits[1],
+            pitch_limit=pitch_limit,
+            disturbances=disturbances,
+            delay=delay,
+            is_sensed=any(p.sensors is not None for p in all_plants),
+            is_noisy=any(p.is_noisy for p in all_plants),
+            start_spread=start_spread,
+            random_start=random_start,
+        )
+        self.told = TOLD_AND_MEASURED if settings.is_sensed else TOLD  # rows
+        self.ranges = stacked_ranges(plants)
+        drawn = start_spread > 0.0 or random_start
+        self.draws = [START_PLANT + p.uniforms if drawn or p.is_noisy or p.uniforms else 0 for p in plants]
+        self.uniforms = np.zeros((len(plants), START_PLANT + max(p.uniforms for p in all_plants)))
+
+        rows = DISTURBANCES + DISTURBANCE * disturbances + 2 * delay
+        self.initial = np.zeros((rows, len(plants)))  # of the blocks, at the start of a flight, but for what is drawn
+        self.size = rows * ROW
+        self.actions: np.ndarray = np.zeros((len(plants), 2), dtype)
+        self.no_states, self.no_steps = np.empty((len(plants), 0)), np.full(len(plants), -1.0)
+        self.references: list[Trajectory | None] = [None] * len(plants)  # of the present flights
+        self.drawn: dict[int, Trajectory] = {}  # those of the next flights, where they are not always the same
+        self.shown: list[tuple[Any, Shown]] = []  # by each source
+        # one array, for Python takes time to hand over each
+        parts = np.array(settings), np.zeros(-(-len(plants) // LANES) * self.size), self._table().reshape(-1)
+        pad = np.zeros(SETTINGS - len(settings))
+        self.memory: np.ndarray = np.concatenate((parts[0], pad, *parts[1:]), dtype=dtype)
+        self._bind()
+
+    def _table(self) -> np.ndarray:
+        """The references on the control grid, one below the other, and where in it each helicopter's is.
+
+        A reference that many follow is there once; one that is drawn has rows of its own, as many as it can take.
+        """
+        parts, first = [], 0
+        for source, followers in group_by_identity(self.sources):
+            if isinstance(source, Trajectory):
+                features = reference_features(source, self.control_period).T
+                self.shown.append((source, shown_by(features.T)))
+                parts.append(features)
+                for j in followers:
+                    self._follow(j, source)
+                self.initial[TABLE, followers] = first
+            else:
+                self.shown.append((source, shown_by_any(source.duration, self.voltage_limits, self.pitch_limit)))
+                count = control_steps(source.duration, self.control_period) + 1
+                self.initial[TABLE, followers] = first + count * np.arange(len(followers))
+                parts.append(np.zeros((count * len(followers), FEATURES)))
+            first += len(parts[-1])
+        # a helicopter that waits for its next start is stepped on once more, and looks one row beyond the end
+        return np.concatenate((*parts, parts[-1][-1:]))
+
+    def _follow(self, j: int, reference: Trajectory) -> None:
+        """Has the next flights of the helicopter j start as this reference does, and end when it does."""
+        limits = reference.limits
+        self.references[j] = reference
+        self.initial[LAST, j] = control_steps(reference.duration, self.control_period)
+        self.initial[ASKED : ASKED + 2, j] = reference.u[:, 0]
+        self.initial[LIMITS : LIMITS + 4, j] = *limits.u, *limits.pitch
+
+    def _bind(self) -> None:
+        """Finds the compiled functions, and the parts of the memory: what is not pickled."""
+        self.kernels = kernels.kernels(self.dtype, self.rhs, self.fly)
+        end = SETTINGS + -(-len(self.plants) // LANES) * self.size
+        self.settings, self.blocks, self.flat_table = np.split(self.memory, (SETTINGS, end))
+        self.table = self.flat_table.reshape(-1, FEATURES)
+
+    def __getstate__(self) -> dict[str, Any]:
+        bound = ("kernels", "settings", "blocks", "flat_table", "table")
+        return {name: value for name, value in vars(self).items() if name not in bound}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+        self._bind()
+
+    def draw(self, j: int, rng: np.random.Generator) -> Trajectory:
+        """The reference of the next flight of the helicopter j, and the uniform numbers of which the flight is made.
+
+        Where none matters, none is drawn. Raises ValueError for a reference that is none, or cannot be followed.
+        """
+        source = self.sources[j]
+        if isinstance(source, Trajectory):
+            reference = source
+        else:
+            reference = self.drawn[j] = self._checked(source, source(rng))
+        if self.draws[j]:
+            self.uniforms[j, : self.draws[j]] = rng.random(self.draws[j])
+        return reference
+
+    def _checked(self, source: Sampler, reference: Any) -> Trajectory:
+        """What a sampler has drawn, if the table has room for it and the observation's bounds hold."""
+        if not isinstance(reference, Trajectory):
+            raise ValueError(f"reference: {source!r} drew {reference!r}, and a Trajectory is needed")
+        if reference.duration > source.duration:
+            raise ValueError(
+                f"reference: {source!r} drew one of {reference.duration:g} s, "
+                f"and its `duration` is {source.duration:g} s"
+            )
+        shown = next(shown for other, shown in self.shown if other is source)
+        start, x_max, u_max = np.abs(reference.x[:, 0]), np.abs(reference.x).max(axis=1), np.abs(reference.u).max()
+        if (start > shown.start).any() or (x_max > shown.features[:6]).any() or u_max > shown.features[6]:
+            raise ValueError(
+                f"reference: {source!r} drew one that starts at {start} and reaches {x_max} rad and rad/s and "
+                f"{u_max:g} V; at most {shown.start}, {shown.features[:6]} and {shown.features[6]:g} V can be"
+            )
+        return reference
+
+    def reference_of(self, j: int) -> Trajectory:
+        """What the helicopter j follows in its present flight. Raises ResetNeeded where none is drawn yet."""
+        reference = self.references[j]
+        if reference is None:
+            raise ResetNeeded("no reference is drawn yet: call reset first")
+        return reference
+
+    def drawn_plant(self, j: int) -> Plant:
+        """The plant of the present flight of the helicopter j."""
+        p = self.plants[j]
+        return p.at(self.uniforms[j, START_PLANT : START_PLANT + p.uniforms])
+
+    def begin(self, helicopters: np.ndarray, states: np.ndarray | None = None, times: np.ndarray | None = None) -> None:
+        """Starts flights of these helicopters (n,).
+
+        From states (N, 6) and at times (N,) of their references in s, or from where and when the numbers drawn say.
+        """
+        for j in helicopters.tolist() if self.drawn else ():
+            if j in self.drawn:
+                reference, first = self.drawn.pop(j), int(self.initial[TABLE, j])
+                self._follow(j, reference)
+                features = reference_features(reference, self.control_period).T
+                self.table[first : first + len(features)] = features
+        steps = self.no_steps
+        if times is not None:
+            steps = np.clip(np.round(times / self.control_period), 0.0, self.initial[LAST] - 1.0)
+        self.kernels.begin(
+            self.blocks,
+            self.settings,
+            self.flat_table,
+            self.initial,
+            self.ranges,
+            helicopters,
+            self.uniforms,
+            self.no_states if states is None else states,
+            steps,
+        )
+
+    def arrays(self) -> tuple[np.ndarray, np.ndarray]:
+        """New ones for observations (N, 49), and for what is told, the first rows (self.told, N)."""
+        n = len(self.plants)
+        return np.empty((n, OBSERVED), np.float32), np.empty((self.told, n), self.dtype)
+
+    def tell(self, helicopters: np.ndarray, observation: np.ndarray, told: np.ndarray) -> None:
+        """What these helicopters (n,) observe and tell now, into their parts of such arrays."""
+        self.kernels.tell(
+            self.blocks,
+            self.settings,
+            self.flat_table,
+            helicopters,
+            len(self.plants),
+            self.size,
+            observation.reshape(-1),
+            told.reshape(-1),
+        )
+
+    def step(self, actions: np.ndarray) -> tuple[int, np.ndarray, np.ndarray]:
+        """A control step of all helicopters under actions (N, 2).
+
+        How many flights are over, and `arrays`. If an action is not finite, nothing is done, and that is NOT_FINITE.
+        """
+        observation, told = self.arrays()
+        self.actions[:] = actions
+        over = self.kernels.step(self.blocks, self.settings, self.flat_table, self.actions, observation, told)
+        return over, observation, told
+
+    def rows(self, first: int, count: int) -> np.ndarray:
+        """These rows of all helicopters, (count, N)."""
+        shown = self.blocks.reshape(-1, self.size // ROW, ROW)[:, first : first + count, :LANES]
+        return shown.transpose(1, 0, 2).reshape(count, len(shown) * LANES)[:, : len(self.plants)]
+
+
+def group_by_identity(values: Sequence) -> list[tuple[Any, np.ndarray]]:
+    """Each distinct object, and where in the sequence it is."""
+    places: dict[int, list[int]] = {}
+    for place, value in enumerate(values):
+        places.setdefault(id(value), []).append(place)
+    return [(values[where[0]], np.array(where)) for where in places.values()]

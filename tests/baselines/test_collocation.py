@@ -1,0 +1,59 @@
+"""The collocation of the package against that of the tests, and what is said without CasADi."""
+
+import math
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from heli_gym.baselines import plan
+from heli_gym.baselines.planning.collocation import collocate
+from independent import shortest_time
+
+from heli_gym import Maneuver, thrust
+
+
+@pytest.mark.parametrize("asked", [Maneuver(), Maneuver(goal=(-2.0, 0.2))], ids=str)
+def test_least_time_is_that_of_another_transcription(asked):
+    assert collocate(asked, "time").t[-1] == pytest.approx(shortest_time(asked, plan(asked), intervals=100), rel=2e-3)
+
+
+def test_least_effort_takes_less_than_other_plans():
+    def effort(trajectory):
+        f = thrust(trajectory.u)
+        return np.trapezoid(((f - f[:, :1]) ** 2).sum(axis=0), trajectory.t)
+
+    least, *others = (effort(plan(Maneuver(duration=12.0), method)) for method in ("collocation", "spline", "flat"))
+    # hover at the end is what effort is measured from, and where all others start
+    f = thrust(plan(Maneuver(duration=12.0), "collocation").u)
+    hover = 0.5 * 0.3946 / 0.6523
+    least = np.trapezoid(((f - hover) ** 2).sum(axis=0), np.linspace(0.0, 12.0, f.shape[1]))
+    assert least < min(others)
+
+
+def test_what_is_impossible_is_not_found():
+    assert collocate(Maneuver(duration=8.0), "time") is None
+    assert collocate(Maneuver(duration=8.0), "effort") is None
+
+
+def test_an_unknown_objective_is_named():
+    with pytest.raises(ValueError, match="objective = 'fuel': one of time, effort"):
+        collocate(Maneuver(), "fuel")
+
+
+def test_without_casadi_it_says_what_to_install(monkeypatch):
+    monkeypatch.setitem(sys.modules, "casadi", None)
+    with pytest.raises(ImportError, match=r"heli-gym\[ocp\]"):
+        plan(Maneuver(), "collocation")
+
+
+def test_importing_the_baselines_loads_neither_casadi_nor_compiled_kernels():
+    heavy = {"casadi", "heli_gym.baselines.planning.spline_kernel"}
+    code = f"import sys, heli_gym.baselines; print(sorted({heavy} & set(sys.modules)))"
+    child = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert (child.stdout.strip(), child.stderr) == ("[]", "")
+
+
+def test_a_time_limit_is_passed_on():
+    assert collocate(Maneuver(), "effort", time_limit=1e-9) is None
+    assert math.isfinite(collocate(Maneuver(), "effort").t[-1])

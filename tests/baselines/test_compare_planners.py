@@ -1,0 +1,50 @@
+"""The comparison draws what it says, notices plans that break their promise, and writes what it found."""
+
+import csv
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from heli_gym.baselines import plan
+from heli_gym.baselines.commands import compare_planners
+from heli_gym.baselines.commands.compare_planners import Args, meets_its_limits, random_maneuver
+from rich.console import Console
+
+from heli_gym import Limits, Maneuver
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_random_maneuvers_are_within_what_the_comparison_is_about(seed):
+    drawn = random_maneuver(np.random.default_rng(seed))
+    assert abs(drawn.goal[0] - drawn.start[0]) <= math.radians(720.0)
+    assert 0.0 <= drawn.limits.u_min < drawn.limits.u_max <= 12.0
+    assert math.radians(10.0) <= drawn.limits.pitch_max <= math.radians(80.0)
+    assert drawn.limits.pitch_min == -drawn.limits.pitch_max
+
+
+def test_a_plan_that_keeps_its_promise_is_told_from_one_that_does_not():
+    asked = Maneuver()
+    good = plan(asked)
+    assert meets_its_limits(asked, good)
+    assert not meets_its_limits(replace(asked, duration=11.0), good)
+    assert not meets_its_limits(replace(asked, goal=(6.0, 0.0)), good)
+    assert not meets_its_limits(replace(asked, limits=Limits(u_max=10.9)), good)
+    assert not meets_its_limits(replace(asked, limits=Limits(pitch_max=0.8)), good)
+    assert not meets_its_limits(asked, replace(good, u=0.99 * good.u))
+
+
+def test_what_was_found_is_written_and_said(tmp_path):
+    console = Console(record=True, width=200)
+    args = Args(maneuvers=1, fastest=1, out=tmp_path)
+    compare_planners.robustness(args, console)
+    compare_planners.shortest(args, console)
+    with open(tmp_path / "robustness.csv") as file:
+        rows = list(csv.DictReader(file))
+    spare = [row for row in rows if float(row["duration / shortest known"]) >= 1.1]
+    assert [(row["planned"], row["limits kept"]) for row in spare] == [("True", "True")]
+    with open(tmp_path / "shortest.csv") as file:
+        ratios = [float(row["ratio"]) for row in csv.DictReader(file)]
+    assert len(ratios) == 2
+    assert 1.0 < min(ratios) <= max(ratios) < 1.05
+    assert "with 10 % to spare" in console.export_text()

@@ -1,0 +1,131 @@
+"""`heli-plan`: a maneuver in, a plan and its picture out."""
+
+import math
+import os
+import re
+import subprocess
+import sys
+from dataclasses import fields
+
+import numpy as np
+import pytest
+from heli_gym.baselines import plan
+from heli_gym.baselines.commands import plan_maneuver
+from heli_gym.baselines.commands.plan_maneuver import Args
+
+from heli_gym import Limits, Maneuver, Trajectory
+
+
+def test_the_file_is_the_plan_of_the_maneuver_and_its_picture_is_beside_it(tmp_path, capsys):
+    out = tmp_path / "plans" / "quarter.npz"
+    plan_maneuver.main(
+        Args(
+            90.0, -5.0, 7.0, start_travel_deg=-10.0, start_elevation_deg=3.0, pitch_limit_deg=40.0, u_max=10.5, out=out
+        )
+    )
+    rad = math.radians
+    expected = plan(
+        Maneuver((rad(-10.0), rad(3.0)), (rad(90.0), rad(-5.0)), 7.0, Limits(1.0, 10.5, -rad(40.0), rad(40.0)))
+    )
+    saved = Trajectory.load(out)
+    for name in ("t", "x", "u"):
+        np.testing.assert_array_equal(getattr(saved, name), getattr(expected, name))
+    assert saved.limits == expected.limits
+    assert sorted(os.listdir(out.parent)) == ["quarter.npz", "quarter.png"]
+    assert out.with_suffix(".png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
+    printed = " ".join(capsys.readouterr().out.split())
+    assert "travel -10 to 90 deg, elevation 3 to -5 deg in 7 s within 1 to 10.5 V and -40 to 40 deg" in printed
+
+
+def test_the_defaults_are_the_papers_maneuver(tmp_path, paper_plan):
+    assert plan_maneuver.asked(Args()) == Maneuver()
+    plan_maneuver.main(Args(out=tmp_path / "plan.npz", figure=False))
+    saved = Trajectory.load(tmp_path / "plan.npz")
+    for name in ("t", "x", "u"):
+        np.testing.assert_array_equal(getattr(saved, name), getattr(paper_plan, name))
+    assert os.listdir(tmp_path) == ["plan.npz"]  # no picture unasked
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ({"duration": 0.0}, r"duration = 0\.0"),
+        ({"duration": -3.0}, r"duration = -3\.0"),
+        ({"duration": math.nan}, "duration = nan"),
+        ({"travel_deg": math.nan}, "travel_deg = nan: .*degrees"),
+        ({"start_travel_deg": math.inf}, "start_travel_deg = inf: .*degrees"),
+        ({"elevation_deg": 80.0}, r"elevation_deg = 80\.0: hover .* takes .* V .* limits are 1 to 11 V"),
+        ({"start_elevation_deg": -60.0}, r"start_elevation_deg = -60\.0: hover .* takes"),
+        ({"u_min": 12.0}, "u_min = 12 V and u_max = 11 V"),
+        ({"u_max": math.nan}, "u_max = nan"),
+        ({"pitch_limit_deg": 0.0}, r"pitch_limit_deg = 0\.0: .*90 degrees"),
+        ({"pitch_limit_deg": 90.0}, r"pitch_limit_deg = 90\.0: .*90 degrees"),
+        ({"pitch_limit_deg": -50.0}, r"pitch_limit_deg = -50\.0: .*90 degrees"),
+        ({"method": "magic"}, "method = 'magic'"),
+        ({"method": "magic", "fastest": True}, "method = 'magic'"),
+        ({"reserve": 0.1}, r"reserve = 0\.1: only the fastest plan"),
+        ({"fastest": True, "reserve": 1.0}, r"reserve = 1\.0"),
+        ({"time_limit": 0.0}, r"time_limit = 0\.0"),
+    ],
+    ids=str,
+)
+def test_bad_input_is_refused_with_a_message_that_names_it_and_nothing_is_written(
+    tmp_path, monkeypatch, arguments, said
+):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit, match="heli-plan: .*" + said):
+        plan_maneuver.main(Args(**arguments))
+    assert os.listdir(tmp_path) == []
+
+
+def test_what_cannot_be_planned_is_refused_with_what_would_work(tmp_path):
+    with pytest.raises(SystemExit) as refusal:
+        plan_maneuver.main(Args(0.0, -10.0, 1.0, out=tmp_path / "plan.npz"))
+    said = re.search(r"heli-plan: no plan for .* in 1 s .* the shortest found takes ([\d.]+) s", str(refusal.value))
+    assert 1.0 < float(said[1]) < 2.0
+    assert os.listdir(tmp_path) == []
+
+
+def test_the_fastest_plan_is_faster_and_leaves_its_reserve(tmp_path, capsys):
+    out = tmp_path / "fastest.npz"
+    plan_maneuver.main(Args(fastest=True, reserve=0.2, figure=False, out=out))
+    saved = Trajectory.load(out)
+    assert 8.4 < saved.duration < 10.0
+    assert saved.limits == Limits()
+    assert 2.0 - 1e-6 <= saved.u.min() <= saved.u.max() <= 10.0 + 1e-6
+    assert f"{saved.duration:.3f} s" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", ["plan.txt", "plan"])
+def test_an_out_that_is_no_npz_file_is_refused_before_anything_is_planned(tmp_path, monkeypatch, name):
+    monkeypatch.setattr(plan_maneuver, "plan", lambda *args: pytest.fail("planned"))
+    with pytest.raises(SystemExit, match=f"heli-plan: .*{name}.*npz"):
+        plan_maneuver.main(Args(10.0, duration=6.0, out=tmp_path / name))
+    assert os.listdir(tmp_path) == []
+
+
+def test_an_out_below_a_file_is_refused_with_a_message_that_names_it(tmp_path):
+    (tmp_path / "file").write_text("precious")
+    with pytest.raises(SystemExit, match=r"heli-plan: .*file"):
+        plan_maneuver.main(Args(10.0, duration=6.0, out=tmp_path / "file" / "plan.npz"))
+    assert (tmp_path / "file").read_text() == "precious"
+
+
+def test_arguments_are_read_from_the_command_line(monkeypatch, tmp_path):
+    out = tmp_path / "plan.npz"
+    monkeypatch.setattr(
+        sys, "argv", ["heli-plan", "--travel-deg", "20", "--duration", "6", "--out", str(out), "--no-figure"]
+    )
+    plan_maneuver.main()
+    saved = Trajectory.load(out)
+    assert saved.duration == 6.0
+    assert saved.x[0, -1] == pytest.approx(math.radians(20.0))
+
+
+def test_help_names_every_argument():
+    child = subprocess.run(
+        [sys.executable, "-m", "heli_gym.baselines.commands.plan_maneuver", "--help"], capture_output=True, text=True
+    )
+    assert (child.returncode, child.stderr) == (0, "")
+    for argument in fields(Args):
+        assert f"--{argument.name.replace('_', '-')}" in child.stdout

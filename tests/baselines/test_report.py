@@ -1,0 +1,174 @@
+"""The report of an evaluation: one file, the numbers of the table, and flights that can be looked at."""
+
+import json
+import re
+from contextlib import redirect_stdout
+from io import StringIO
+
+import numpy as np
+import pytest
+from browser import DESKTOP, PHONE, in_browser
+from heli_gym.baselines import fly, make_policy, riccati_gains
+from heli_gym.baselines.commands import evaluate
+from heli_gym.baselines.evaluation import report
+
+from heli_gym.env import Heli3DOFEnv
+from heli_gym.task import control_grid
+
+POLICIES = ("feedforward+tvlqr", "open-loop")
+SEED = 3
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """An evaluation with a report; the exact flights at 20 ms, which is sooner told."""
+    folder = tmp_path_factory.mktemp("evaluated")
+    with pytest.MonkeyPatch.context() as patch, redirect_stdout(StringIO()):
+        patch.setattr(evaluate, "PAPER_PERIOD", 0.02)
+        page = folder / "report.html"
+        evaluate.main(evaluate.Args(policies=POLICIES, episodes=2, seed=SEED, out=folder, figures=False, report=page))
+    return folder
+
+
+@pytest.fixture(scope="module")
+def data(folder):
+    """What the page holds."""
+    [text] = re.findall(
+        r'<script id="data" type="application/json">(.*?)</script>', (folder / "report.html").read_text()
+    )
+    return json.loads(text)
+
+
+def test_the_table_is_that_of_the_evaluation(folder, data):
+    rows = json.loads((folder / "results.json").read_text())["summary"]
+    assert data["table"]["rows"] == [evaluate.table_cells(row) for row in rows]
+    assert data["table"]["columns"] == list(evaluate.COLUMNS)
+    assert all(len(row) == len(evaluate.COLUMNS) for row in data["table"]["rows"])
+
+
+def test_the_flights_are_the_first_of_each_start_and_policy(data):
+    exact, perturbed = data["groups"]
+    assert data["policies"] == list(POLICIES)
+    for group, spread in ((exact, 0.0), (perturbed, 5.0)):
+        env = Heli3DOFEnv(start_spread_deg=spread)
+        for policy, shown in zip(POLICIES, group["flights"], strict=True):
+            flight = fly(env, make_policy(policy, env.reference), seed=SEED)
+            np.testing.assert_allclose(shown["x"], flight.x, rtol=0.0, atol=1e-6)
+            np.testing.assert_allclose(shown["u"], flight.u, rtol=0.0, atol=1e-6)
+            assert shown["ended"] == ""
+        x_ref, _ = control_grid(env.reference, 0.02)
+        np.testing.assert_allclose(group["reference"]["x"], x_ref, rtol=0.0, atol=1e-6)
+
+
+def test_a_finer_flight_is_thinned_out_and_one_that_ended_says_so():
+    env = Heli3DOFEnv(control_period=0.005)
+    flight = fly(env, make_policy("open-loop", env.reference, 0.005), seed=0)
+    group = report.flight_group("", env.reference, [flight])
+    assert group["step"] == pytest.approx(0.02)
+    np.testing.assert_allclose(group["flights"][0]["x"], flight.x[:, ::4], rtol=0.0, atol=1e-6)
+
+    short = type(flight)(flight.t[:401], flight.x[:, :401], flight.u[:, :401], flight.limits)
+    [ended] = report.flight_group("", env.reference, [short])["flights"]
+    assert "2.00 s" in ended["ended"]
+
+
+def test_the_gains_are_those_of_the_controller(data):
+    gains = riccati_gains(Heli3DOFEnv().reference)(0.02 * np.arange(501))
+    np.testing.assert_allclose(data["gains"]["K"], gains, rtol=0.0, atol=1e-6)
+
+
+def test_there_are_gains_only_where_they_are_flown(tmp_path):
+    env = Heli3DOFEnv()
+    flight = fly(env, make_policy("open-loop", env.reference), seed=0)
+    table = {"title": "", "caption": "", "columns": [], "rows": []}
+    report.write_report(tmp_path / "page.html", "some", table, env.reference, {"exact": {"open-loop": flight}})
+    assert '"gains":null' in (tmp_path / "page.html").read_text()
+
+
+def test_the_page_asks_for_nothing_from_a_network(folder):
+    text = (folder / "report.html").read_text()
+    assert "default-src 'none'" in text
+    assert not re.findall(r"(?:src|href)=[\"']?(?!data:)\w+:", text)
+    assert len(text) < 2_000_000
+
+
+def test_what_users_name_cannot_leave_its_place_in_the_page(tmp_path):
+    path = tmp_path / "page.html"
+    report.write_page(path, "report", "<b>&</title>", {"text": "</script><!--script-->"})
+    text = path.read_text()
+    assert "<title>&lt;b>&amp;&lt;/title></title>" in text
+    assert '{"text":"\\u003c/script>\\u003c!--script-->"}' in text
+
+
+@pytest.mark.parametrize("name", ["page.txt", "page", "folder.html", "file/page.html"])
+def test_another_kind_of_file_is_refused_before_anything_is_flown(tmp_path, monkeypatch, name):
+    monkeypatch.setattr(evaluate, "fly", None)
+    (tmp_path / "folder.html").mkdir()
+    (tmp_path / "file").touch()
+    with pytest.raises(SystemExit, match="heli-evaluate: report = "):
+        evaluate.main(evaluate.Args(out=tmp_path, report=tmp_path / name))
+
+
+# In a browser
+
+READ = """
+const numbers = (i) => page.locator(".view").nth(i).locator(".numbers").textContent();
+const rows = () => page.locator("tbody tr").evaluateAll(
+  (rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
+const slider = page.locator("#time");
+"""
+
+
+@pytest.mark.parametrize("size", [DESKTOP, PHONE])
+def test_it_opens_without_complaint_fits_and_shows_the_table(folder, data, size):
+    script = """
+        const width = await page.evaluate(() => document.documentElement.scrollWidth);
+        return {rows: await rows(), width, message: await page.locator(".stage").getAttribute("data-message")};
+    """
+    seen = in_browser(folder / "report.html", READ + script, size)
+    assert seen == {"rows": data["table"]["rows"], "width": size[0], "message": None}
+
+
+def test_the_replay_moves_the_helicopters_the_slider_and_the_plots_together(folder):
+    script = """
+        const heads = () => page.locator(".playhead").evaluateAll((all) => all.map((head) => head.style.transform));
+        const look = async () => ({
+          time: Number(await slider.inputValue()), numbers: await numbers(1), heads: await heads(),
+          picture: (await page.locator(".stage").screenshot()).toString("base64"),
+        });
+        const before = await look();
+        await page.locator("button", {hasText: "Play"}).click();
+        await page.waitForFunction(() => Number(document.getElementById("time").value) > 1);
+        await page.keyboard.press("Space");
+        return [before, await look()];
+    """
+    before, after = in_browser(folder / "report.html", READ + script)
+    assert before["time"] == 0.0
+    assert after["time"] > 1.0
+    assert before["numbers"] != after["numbers"]
+    assert before["picture"] != after["picture"]
+    assert len(after["heads"]) > 5
+    assert all(head != old for head, old in zip(after["heads"], before["heads"], strict=True))
+
+
+def test_at_any_time_the_page_shows_the_flight_that_was_chosen(folder, data):
+    script = """
+        const seen = [];
+        for (const key of ["1", "2"]) {
+          await page.keyboard.press(key);
+          for (const time of ["0", "5", "10"]) {
+            await slider.fill(time);
+            seen.push(await numbers(1));
+          }
+        }
+        await page.locator(".legend input").first().uncheck();
+        return {seen, shown: await page.locator(".view:visible").count()};
+    """
+    answer = in_browser(folder / "report.html", READ + script)
+    for n, text in enumerate(answer["seen"]):
+        flight = data["groups"][n // 3]["flights"][1]
+        k = 250 * (n % 3)
+        found = [float(value) for value in re.findall(r"-?[\d.]+", text.replace("\N{MINUS SIGN}", "-"))]
+        expected = [*np.degrees([flight["x"][i][k] for i in (0, 2, 4)]), *(u[k] for u in flight["u"])]
+        np.testing.assert_allclose(found, expected, rtol=0.0, atol=0.051)
+    assert answer["shown"] == len(POLICIES) - 1

@@ -1,0 +1,151 @@
+import json
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from heli_gym.baselines import fly, make_policy
+from heli_gym.baselines.control.residual import (
+    GROUPS,
+    LEARNED,
+    Learned,
+    Network,
+    ResidualPolicy,
+    learned_policy,
+    load_learned,
+    save_learned,
+)
+from heli_gym.baselines.evaluation.rollout import fly_many
+from numpy.testing import assert_allclose, assert_array_equal
+
+from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.vector_env import Heli3DOFVectorEnv
+
+REFERENCE = find_reference("travel-360")
+SHORT = find_reference("climb-7.5")
+START = SHORT.x[:, 0]
+RESULTS = Path(__file__).parents[2] / "results"
+
+
+def network(features, seed=0, squashes=False):
+    rng = np.random.default_rng(seed)
+    sizes = (features, 16, 8, 2)
+    weights = [0.3 * rng.standard_normal((rows, columns)) for columns, rows in pairwise(sizes)]
+    return Network(tuple(weights), tuple(0.1 * rng.standard_normal(len(w)) for w in weights), squashes)
+
+
+def nothing(features):
+    return np.zeros((2, *features.shape[1:]))
+
+
+def features_of(base):
+    policy = ResidualPolicy(make_policy(base, SHORT), SHORT, None, 1.0)
+    return len(policy.observe(0.0, START)[1])
+
+
+@pytest.mark.parametrize("base", ["feedforward+tvlqr", "kalman-lqr", "lag-lqi"])
+@pytest.mark.parametrize(("correction", "scale"), [(nothing, 2.0), (lambda features: np.ones((2,)), 0.0)])
+def test_without_a_correction_or_with_scale_zero_the_base_is_flown_bit_for_bit(base, correction, scale):
+    env = Heli3DOFEnv("lab", SHORT, start_spread_deg=5.0)
+    expected = fly(env, make_policy(base, SHORT), seed=3)
+    flight = fly(env, ResidualPolicy(make_policy(base, SHORT), SHORT, correction, scale), seed=3)
+    assert_array_equal(flight.x, expected.x)
+    assert_array_equal(flight.u, expected.u)
+
+
+def test_a_correction_is_the_scaled_action_on_top_of_the_base_and_no_larger_than_the_scale():
+    policy = ResidualPolicy(make_policy("feedforward+tvlqr", SHORT), SHORT, lambda features: np.array([0.5, -7.0]), 0.4)
+    base = make_policy("feedforward+tvlqr", SHORT)
+    policy.reset(np.random.default_rng(0))
+    measurement = SHORT.x[:, 0] + 0.01
+    assert_allclose(policy(0.0, measurement) - base(0.0, measurement), [0.2, -0.4], atol=1e-12)
+
+
+@pytest.mark.parametrize("base", ["feedforward+tvlqr", "lqi", "kalman-lqr"])
+def test_many_at_once_fly_what_each_flies_alone(base):
+    def policy():
+        return ResidualPolicy(make_policy(base, SHORT), SHORT, network(features_of(base)), 1.0)
+
+    together = fly_many(Heli3DOFVectorEnv(3, "lab", SHORT, start_spread_deg=5.0), policy(), seed=7)
+    env = Heli3DOFEnv("lab", SHORT, start_spread_deg=5.0)
+    for k, flight in enumerate(together):
+        alone = fly(env, policy(), seed=7 + k)
+        assert_allclose(flight.x, alone.x, atol=1e-9)
+
+
+@pytest.mark.parametrize("base", ["feedforward+tvlqr", "kalman-lqr"])
+def test_a_reset_forgets_the_last_flight_and_without_one_it_is_remembered(base):
+    rng = np.random.default_rng(0)
+    measurements = (SHORT.x[:, [0]] + 0.01 * rng.standard_normal((6, 20))).T
+    policy = ResidualPolicy(make_policy(base, SHORT), SHORT, network(features_of(base)), 1.0)
+    first, remembering = ([policy(0.02 * k, m) for k, m in enumerate(measurements)] for _ in range(2))
+    policy.reset(rng)
+    again = [policy(0.02 * k, m) for k, m in enumerate(measurements)]
+    assert_array_equal(again, first)
+    assert np.abs(np.array(remembering) - first).max() > 1e-6
+
+
+@pytest.mark.parametrize("plant", ["lab", "rigid"])
+def test_the_policies_of_the_package_are_those_of_the_first_seed(plant):
+    (settings, shipped), (other, first) = (
+        load_learned(path) for path in (LEARNED / plant, RESULTS / plant / "residual/0/best")
+    )
+    assert settings == other and settings.plant == plant
+    for a, b in zip((*shipped.weights, *shipped.biases), (*first.weights, *first.biases)):
+        assert_array_equal(a, b)
+
+
+def test_a_network_sees_the_groups_that_it_is_shown_and_each_of_them_counts():
+    def shown(*sees):
+        policy = ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, None, 1.0, sees=sees)
+        return policy.observe(0.0, START)[1]
+
+    parts = [shown(group) for group in GROUPS]
+    assert all(len(part) for part in parts)
+    assert_array_equal(np.concatenate(parts), shown(*GROUPS))
+
+
+def test_a_learned_policy_survives_the_disk_and_is_flown_from_there(tmp_path):
+    sees = ("error", "estimate")
+    count = len(ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, None, 1.0, sees=sees).observe(0.0, START)[1])
+    settings = Learned("kalman-lqr", 1.5, "climb-7.5", "lab", 0.02, count, (16, 8), False, sees)
+    save_learned(tmp_path / "one", settings, network(count))
+    again, loaded = load_learned(tmp_path / "one")
+    assert again == settings
+    features = np.random.default_rng(1).standard_normal((count, 5))
+    assert_allclose(loaded(features), network(count)(features), atol=1e-6)
+
+    env = Heli3DOFEnv("lab", SHORT)
+    policy = ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, loaded, 1.5, sees=sees)
+    by_path = make_policy(str(tmp_path / "one.json"), SHORT)
+    assert_array_equal(fly(env, policy, seed=0).x, fly(env, by_path, seed=0).x)
+
+
+@pytest.mark.parametrize("damage", ["weights", "missing", "json", "field"])
+def test_a_damaged_policy_is_refused_by_its_path(tmp_path, damage):
+    path = tmp_path / "one"
+    save_learned(path, Learned("zero", 1.0, "climb-7.5", "lab", 0.02, 4, (16, 8), True), network(4, squashes=True))
+    if damage == "weights":
+        data = bytearray(path.with_suffix(".safetensors").read_bytes())
+        data[-1] ^= 1
+        path.with_suffix(".safetensors").write_bytes(data)
+    elif damage == "missing":
+        path.with_suffix(".safetensors").unlink()
+    elif damage == "json":
+        path.with_suffix(".json").write_text("{")
+    else:
+        described = json.loads(path.with_suffix(".json").read_text())
+        del described["scale"]
+        path.with_suffix(".json").write_text(json.dumps(described))
+    with pytest.raises(ValueError, match="one"):
+        learned_policy(path, SHORT, 0.02, None)
+
+
+def test_bad_settings_are_named(tmp_path):
+    with pytest.raises(ValueError, match="scale = -1"):
+        ResidualPolicy(make_policy("zero", SHORT), SHORT, nothing, -1.0)
+    with pytest.raises(ValueError, match=r"sees = .*'moon'"):
+        ResidualPolicy(make_policy("zero", SHORT), SHORT, nothing, 1.0, sees=("error", "moon"))
+    save_learned(tmp_path / "one", Learned("zero", 1.0, "climb-7.5", "lab", 0.02, 4, (16, 8), False), network(4))
+    with pytest.raises(ValueError, match=r"control_period = 0\.01"):
+        make_policy(str(tmp_path / "one.json"), SHORT, 0.01)

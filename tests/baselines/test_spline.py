@@ -1,0 +1,135 @@
+"""Splines against scipy's, their derivatives against differences, and the interior point against other solvers."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from heli_gym.baselines import plan_fastest
+from heli_gym.baselines.paper.normal_form import thrust_bounds
+from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning.spline_kernel import derivatives, interpolate, inverse_dynamics
+from independent import TABLE_I, central_differences, equation_3, shortest_time
+from numpy.testing import assert_allclose
+from scipy.interpolate import BSpline
+
+from heli_gym import HelicopterParameters, Maneuver
+
+MODEL = tuple(HelicopterParameters())[2:]
+RNG = np.random.default_rng(3)
+
+
+def test_the_spline_is_scipys():
+    c, T = RNG.normal(size=(13, 2)), 7.0
+    knots = np.arange(-3, 14) / 10.0 * T
+    t = np.linspace(0.0, T, 101)
+    expected = [BSpline(knots, c, 3).derivative(n)(t).T if n else BSpline(knots, c, 3)(t).T for n in range(3)]
+    assert_allclose(interpolate(c, T, len(t)), expected, atol=1e-12)
+
+
+def test_a_refined_spline_is_the_same_function():
+    coarse = spline.Spline(RNG.normal(size=(13, 2)), 5.0, np.zeros(4))
+    fine = spline.refined(coarse)
+    assert len(fine.coefficients) == 23
+    assert_allclose(interpolate(fine.coefficients, 5.0, 77), interpolate(coarse.coefficients, 5.0, 77), atol=1e-11)
+
+
+def test_a_guess_starts_and_ends_at_rest_within_the_pitch_limits():
+    asked = Maneuver((1.0, -0.2), (9.0, 0.1), 4.0)
+    y, dy, ddy = interpolate(spline.guess(asked, 4.0, 30).coefficients, 4.0, 401)
+    assert_allclose(y[:, [0, -1]], [[-0.2, 0.1], [0.0, 0.0]], atol=1e-12)
+    assert_allclose(np.stack((dy, ddy))[..., [0, -1]], 0.0, atol=1e-10)
+    assert np.abs(y[1]).max() < math.radians(50.0)
+
+
+@pytest.mark.parametrize("case", range(5))
+def test_the_inverse_dynamics_invert_equation_3(case):
+    q2, q3, ddq2, ddq3 = RNG.uniform(-1.0, 1.0, 4)
+    f_f, f_b, ddq1 = inverse_dynamics(q2, q3, ddq2, ddq3, MODEL)
+    rates = equation_3([0.0, 0.0, q2, 0.0, q3, 0.0], f_f + f_b, f_f - f_b, TABLE_I)
+    assert_allclose(rates, [0.0, ddq1, 0.0, ddq2, 0.0, ddq3], atol=1e-12)
+
+
+@pytest.mark.parametrize("case", range(5))
+def test_the_derivatives_agree_with_differences(case):
+    z = RNG.uniform(-1.0, 1.0, 4)  # y1, A1, y2, A2
+
+    def quantities(z):
+        f_f, f_b, ddeta = inverse_dynamics(z[0], z[2], z[1], z[3], MODEL)
+        return np.array([f_f + f_b, f_f - f_b, ddeta])
+
+    def gradients(z):
+        D, H = np.zeros((3, 4)), np.zeros((3, 4, 4))
+        derivatives(z[0], z[2], z[1], MODEL, D, H)
+        return D
+
+    D, H = np.zeros((3, 4)), np.zeros((3, 4, 4))
+    derivatives(z[0], z[2], z[1], MODEL, D, H)
+    assert_allclose(D, central_differences(quantities, z), atol=1e-8)
+    expected = central_differences(lambda z: gradients(z).ravel(), z).reshape(3, 4, 4)
+    lower = np.tril_indices(4)
+    assert_allclose(H[:, *lower], expected[:, *lower], atol=1e-7)
+
+
+def test_what_is_smoothest_is_a_minimum_of_the_squared_third_derivatives():
+    # the barrier being lowered until the limits, which are far away, do not matter
+    asked = Maneuver(goal=(1.0, 0.1), duration=14.0)
+    thrusts = thrust_bounds(asked.limits, asked.parameters)
+    start = spline.guess(asked, 14.0, 30)
+    best = spline.optimise(asked, start, thrusts, 14.0, 1.0, 0.0, spline.COLD, 1e-10, 200)
+    t = np.linspace(0.0, 14.0, 1401)
+    weights = np.array([TABLE_I.b2, TABLE_I.b3]) ** -2.0
+
+    def roughness(c):
+        return (weights * (np.diff(c, 3, axis=0) ** 2).sum(axis=0)).sum()
+
+    def arrival(c):
+        (y1, y2), _, (ddy1, _) = interpolate(c, 14.0, len(t))
+        p = TABLE_I
+        lift = ddy1 - p.a1 * np.sin(y1) - p.a2 * np.cos(y1)
+        ddeta = p.b1 / p.b2 * np.tan(y2) * lift * np.cos(y1)
+        return np.array([np.trapezoid(ddeta, t), np.trapezoid((14.0 - t) * ddeta, t)])
+
+    free = slice(3, -3)
+    assert_allclose(arrival(best.coefficients), [0.0, 1.0], atol=1e-5)
+    shape = best.coefficients[free].shape
+
+    def moved(z):
+        c = best.coefficients.copy()
+        c[free] += z.reshape(shape)
+        return c
+
+    zero = np.zeros(math.prod(shape))
+    gradient = central_differences(lambda z: np.array([roughness(moved(z))]), zero, 1e-5)[0]
+    constraints = central_differences(lambda z: arrival(moved(z)), zero, 1e-5)
+    rest = gradient - constraints.T @ np.linalg.lstsq(constraints.T, gradient)[0]
+    assert np.abs(rest).max() < 1e-3 * np.abs(gradient).max()
+
+
+def test_more_time_is_smoother():
+    def roughness(duration):
+        asked = Maneuver(duration=duration)
+        found = spline.smoothest(
+            asked, spline.guess(asked, duration, 30), thrust_bounds(asked.limits, asked.parameters)
+        )
+        return np.abs(interpolate(found.coefficients, duration, 500)[2]).max()
+
+    assert roughness(14.0) < roughness(12.0) < roughness(10.0)
+
+
+def test_no_plan_is_found_where_there_is_none():
+    asked = Maneuver(duration=8.0)
+    assert spline.plan_smoothest(asked) is None
+
+
+@pytest.mark.slow
+def test_random_maneuvers_with_ten_percent_of_the_time_to_spare_are_planned():
+    from heli_gym.baselines.commands.compare_planners import random_maneuver
+
+    rng = np.random.default_rng(11)
+    for _ in range(20):
+        asked = random_maneuver(rng)
+        fastest = plan_fastest(asked)
+        shortest = shortest_time(asked, fastest, intervals=100)
+        assert fastest.duration < 1.05 * shortest
+        assert spline.plan_fastest(replace(asked, duration=1.1 * shortest), lambda: None) is not None

@@ -1,0 +1,106 @@
+"""The tuner: what it searches, what it flies, and that every policy gets the same budget."""
+
+from dataclasses import astuple
+from typing import get_args, get_type_hints
+
+import numpy as np
+import pytest
+from heli_gym.baselines import fly, make_policy
+from heli_gym.baselines.commands import tune
+from heli_gym.baselines.control.weights import TVLQR, WEIGHTS, stored_weights
+from heli_gym.baselines.evaluation.metrics import flight_metrics
+from numpy.testing import assert_allclose
+
+from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.parameters import AMPLIFIER_LIMITS
+from heli_gym.vector_env import Heli3DOFVectorEnv
+
+REFERENCE = find_reference("climb-7.5")
+
+
+def test_every_policy_with_weights_can_be_tuned():
+    assert set(get_args(get_type_hints(tune.Args)["policy"])) == set(WEIGHTS)
+
+
+@pytest.mark.parametrize("name", WEIGHTS)
+def test_all_weights_but_that_on_the_thrust_sum_are_searched_and_those_in_use_are_within(name):
+    weights = WEIGHTS[name]
+    names = tune.searched(weights)
+    assert set(vars(weights)) - set(names) == {"thrust_sum"}
+    for weight in names:
+        low, high = tune.DECADES[weight]
+        assert low < np.log10(getattr(weights, weight)) < high
+
+
+@pytest.mark.parametrize("name", WEIGHTS)
+def test_weights_are_what_their_decades_say(name):
+    weights = WEIGHTS[name]
+    decades = np.log10([getattr(weights, weight) for weight in tune.searched(weights)])
+    assert_allclose(astuple(tune.with_decades(weights, decades)), astuple(weights))
+
+
+@pytest.mark.parametrize("plant", ["nominal", "lab"])
+def test_the_returns_are_those_of_single_flights(plant):
+    policy = make_policy("kalman-lqr", REFERENCE)
+    together = tune.returns(Heli3DOFVectorEnv(3, plant, REFERENCE, start_spread_deg=5.0), policy, 7)
+    env = Heli3DOFEnv(plant, REFERENCE, start_spread_deg=5.0)
+    for k in range(3):
+        flight = fly(env, policy, seed=7 + k)
+        alone = flight_metrics(flight, REFERENCE, AMPLIFIER_LIMITS).episode_return
+        assert together[k] == pytest.approx(alone, rel=1e-6)
+
+
+def test_a_flight_that_ends_early_earns_no_more():
+    class FullThrottleOfOne:
+        def reset(self, rng):
+            pass
+
+        def __call__(self, t, measurement):
+            return np.array([[12.0], [0.0]]) + np.zeros(measurement.shape[1])
+
+    envs = Heli3DOFVectorEnv(2, "nominal", REFERENCE)
+    assert tune.returns(envs, FullThrottleOfOne(), 0).max() < 1.0  # it turns over within a second
+
+
+@pytest.mark.parametrize("name", WEIGHTS)
+def test_the_budget_is_the_same_for_all_and_what_is_in_use_is_beaten_only_by_what_is_better(name, monkeypatch, capsys):
+    flown = []
+
+    def worse_and_worse(envs, policy, seed, objective):
+        flown.append(policy)
+        return np.full(2, -float(len(flown)))
+
+    monkeypatch.setattr(tune, "returns", worse_and_worse)
+    tune.main(tune.Args(policy=name, reference="climb-7.5", draws=2, candidates=24, population=8))
+    assert len(flown) == 2 * (24 + 4)  # and the judgement: two sets of weights on two sets of draws
+    printed = capsys.readouterr().out
+    assert all(f"{weight} = {value:.3g}\n" in printed for weight, value in vars(WEIGHTS[name]).items())
+
+
+def test_the_return_of_tracking_is_what_an_agent_that_does_nothing_earns_on_top_of_the_policy():
+    pytest.importorskip("stable_baselines3")
+    from heli_gym.baselines.control.residual import ResidualPolicy
+    from heli_gym.train.vec_env import ResidualVecEnv
+
+    expected = tune.returns(
+        Heli3DOFVectorEnv(2, "lab", REFERENCE), make_policy("lag-lqr", REFERENCE), 0, objective="tracking"
+    )
+    policy = ResidualPolicy(make_policy("lag-lqr", REFERENCE), REFERENCE, None, 1.0)
+    vec = ResidualVecEnv(Heli3DOFVectorEnv(2, "lab", REFERENCE, autoreset_mode="SameStep"), policy, spread=False)
+    vec.seed(0)
+    vec.reset()
+    total, over = np.zeros(2), np.zeros(2, bool)
+    while not over.all():
+        _, rewards, done, _ = vec.step(np.zeros((2, 2), np.float32))
+        total += np.where(over, 0.0, 0.02 * rewards)
+        over |= done
+    assert_allclose(total, expected, rtol=1e-5)
+
+
+def test_weights_are_stored_for_one_plant_only(tmp_path, monkeypatch):
+    with pytest.raises(ValueError, match="plants = "):
+        tune.main(tune.Args(store=True))
+    monkeypatch.setattr(tune, "returns", lambda envs, policy, seed, objective: np.zeros(2))
+    monkeypatch.setattr("heli_gym.baselines.control.weights.TUNED", tmp_path)
+    tune.main(tune.Args(plants=("rigid",), store=True, reference="climb-7.5", draws=2, candidates=8, population=8))
+    assert vars(stored_weights("feedforward+tvlqr", "rigid")).keys() == vars(TVLQR).keys()

@@ -1,0 +1,429 @@
+"""The program of the pages: built from its sources, and the same helicopter as in Python; and the live page."""
+
+import hashlib
+import subprocess
+
+import numpy as np
+import pytest
+from browser import DESKTOP, PHONE, SOURCES, in_browser, in_node, installed, tool
+from heli_gym.baselines import fly, make_policy, riccati_gains
+from heli_gym.baselines.commands import demo
+from heli_gym.baselines.control.residual import LEARNED, load_learned
+from heli_gym.baselines.evaluation.report import WEB
+from heli_gym.baselines.paper.boundary_value import ConstrainedProblem
+
+from heli_gym import HelicopterParameters, Maneuver, linearise
+from heli_gym.env import Heli3DOFEnv
+from heli_gym.plant import PLANTS, Friction, Plant, Push, Rotors, Sensors
+from heli_gym.rigid_body import VARIANTS, solve_rigid_body
+
+PERIOD = demo.CONTROL_PERIOD
+START = np.radians([4.0, 0.0, -5.0, 0.0, 3.0, 0.0])
+FRICTION = Friction(viscous=(0.1, 0.2, 0.3))
+ROTORS = Rotors(lag=0.1, thrust_loss=0.08, delay=1)
+DRAWS = {
+    "nominal": Plant(),
+    "lab": Plant(rotors=ROTORS, friction=FRICTION, sensors=Sensors()),
+    "without lag": Plant(rotors=Rotors(thrust_loss=0.1, delay=2), friction=FRICTION),
+    **{
+        f"rigid {variant}": Plant(rig=solve_rigid_body(variant), rotors=ROTORS, friction=FRICTION, sensors=Sensors())
+        for variant in VARIANTS
+    },
+}
+
+
+@pytest.fixture(scope="module")
+def live():
+    return demo.live_data()
+
+
+@pytest.fixture(scope="module")
+def papers_plan():
+    """The plan of Section III-D, by collocation."""
+    maneuver = Maneuver()
+    return ConstrainedProblem(maneuver).trajectory(demo.solve_from_unconstrained(maneuver))
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    path = tmp_path_factory.mktemp("live") / "live.html"
+    demo.main(demo.Args(out=path, open=False))
+    return path
+
+
+# What is built
+
+
+def test_the_program_is_built_from_the_sources_beside_it():
+    names = ["build.mjs", "package-lock.json", *(f"src/{path.name}" for path in (SOURCES / "src").iterdir())]
+    hashed = hashlib.sha256()
+    for name in sorted(names):
+        hashed.update(f"{name}\n".encode() + (SOURCES / name).read_bytes() + b"\n")
+    first_line = (WEB / "heli.js").read_text().partition("\n")[0]
+    assert first_line.endswith(hashed.hexdigest()), "run `npm ci && npm run build` in web/"
+
+
+def test_building_anew_gives_what_is_shipped(tmp_path):
+    installed("esbuild")
+    subprocess.run([tool("node"), "build.mjs", str(tmp_path)], cwd=SOURCES, check=True, capture_output=True)
+    for name in ("heli.js", "heli.css"):
+        assert (tmp_path / name).read_bytes() == (WEB / name).read_bytes(), "run `npm ci && npm run build` in web/"
+
+
+def test_the_sources_pass_the_type_checker():
+    child = subprocess.run([tool("node"), installed("typescript/bin/tsc")], cwd=SOURCES, capture_output=True, text=True)
+    assert child.returncode == 0, child.stdout
+
+
+def test_what_is_shipped_is_small_and_ends_no_element_of_the_page():
+    assert sum(path.stat().st_size for path in WEB.iterdir()) < 1_000_000
+    script = (WEB / "heli.js").read_text().lower()
+    assert "</script" not in script
+    assert "<!--" not in script
+
+
+def test_the_packages_name_no_registry():
+    assert "resolved" not in (SOURCES / "package-lock.json").read_text()
+
+
+# The same helicopter
+
+FLY = """((controller) => {
+    const rules = {controlPeriod: live.control_period, amplifier: live.amplifier,
+                   pitchStop: live.pitch_stop, substep: live.substep};
+    const flight = new heli.Flight(controller, plant, rules, start, rest);
+    for (let k = 0; k < steps; k++) flight.step(pushes);
+    return {x: flight.x, u: flight.u};
+})"""
+
+
+TRACKING = "heli.trackingController(controls, live.parameters)"
+ALONG = "heli.controllersAlong(controls.plan, controls.pitch, live)[controls.name](heli.unpacked(controls.network))"
+
+
+def tracking(policy):
+    """A tracking policy's own reference and gains, for the browser."""
+    gains = np.moveaxis(policy.gains, -1, 0)
+    return {"x": policy.x.T.tolist(), "v": policy.v.T.tolist(), "gains": gains.tolist() if gains.any() else None}
+
+
+def fly_in_node(live, plant, reference, controls, start, steps, pushes=(), controller=TRACKING):
+    """States (6, K + 1) and voltages (2, K) of a flight with a controller, an expression that uses the controls."""
+    flight = in_node(
+        f"{FLY}({controller})",
+        live=live,
+        plant=demo.plain(plant),
+        controls=controls,
+        start=list(start),
+        rest=reference.u[:, 0].tolist(),
+        steps=steps,
+        pushes=[{**demo.plain(push), "axis": live["axes"].index(push.axis)} for push in pushes],
+    )
+    return np.array(flight["x"]).T, np.array(flight["u"]).T
+
+
+@pytest.mark.parametrize("policy", ["feedforward+tvlqr", "open-loop", "hover-lqr"])
+@pytest.mark.parametrize("plant", DRAWS)
+def test_a_flight_in_the_browser_is_that_of_python(live, plant, policy):
+    env = Heli3DOFEnv(DRAWS[plant], control_period=PERIOD)
+    controller = make_policy(policy, env.reference, PERIOD)
+    flight = fly(env, controller, seed=0, options={"state": START})
+    x, u = fly_in_node(live, DRAWS[plant], env.reference, tracking(controller), START, len(flight.t) - 1)
+    np.testing.assert_allclose(x, flight.x, rtol=0.0, atol=1e-9)
+    np.testing.assert_allclose(u, flight.u[:, :-1], rtol=0.0, atol=1e-9)
+
+
+@pytest.mark.parametrize("policy", ["kalman-lqr", "residual"])
+@pytest.mark.parametrize("plant", DRAWS)
+def test_a_flight_with_a_filter_whose_gains_the_browser_computes_is_that_of_python(live, plant, policy):
+    env = Heli3DOFEnv(DRAWS[plant], control_period=PERIOD)
+    reference = env.reference
+    network = "rigid" if plant.startswith("rigid") else "lab"
+    in_python = f"kalman-lqr@{network}" if policy == "kalman-lqr" else {"lab": policy}.get(network, "residual-rigid")
+    flight = fly(env, make_policy(in_python, reference, PERIOD), seed=0, options={"state": START})
+    x, u = reference(0.5 * PERIOD * np.arange(round(2.0 * reference.duration / PERIOD) + 1))
+    controls = {
+        "name": policy,
+        "plan": {"step": 0.5 * PERIOD, "x": x.T.tolist(), "u": u.T.tolist()},
+        "pitch": reference.limits.pitch,
+        "network": live["networks"][network],
+    }
+    x, u = fly_in_node(live, DRAWS[plant], reference, controls, START, len(flight.t) - 1, controller=ALONG)
+    np.testing.assert_allclose(x, flight.x, rtol=0.0, atol=1e-9)
+    # In the loop of a network, rounding grows: a start that is 1e-14 rad elsewhere changes voltages by 3e-8 V.
+    np.testing.assert_allclose(u, flight.u[:, :-1], rtol=0.0, atol=1e-7 if policy == "residual" else 1e-9)
+
+
+@pytest.mark.parametrize("plant", PLANTS)
+def test_the_network_of_a_plant_in_the_browser_is_that_of_python(live, plant):
+    settings, network = load_learned(LEARNED / live["network_for"][plant])
+    assert settings.plant == plant or plant == "nominal"
+    assert (settings.base, settings.control_period) == (f"kalman-lqr@{settings.plant}", PERIOD)
+    features = np.random.default_rng(0).normal(size=(20, settings.features))
+    stored = live["networks"][settings.plant]
+    found = in_node(
+        "features.map((seen) => heli.actions(heli.unpacked(stored), seen))", stored=stored, features=features.tolist()
+    )
+    np.testing.assert_allclose(found, np.clip(network(features.T), -1.0, 1.0).T, rtol=0.0, atol=1e-12)
+
+
+@pytest.mark.parametrize("plant", ["nominal", "lab"])
+def test_a_push_in_the_browser_is_that_of_python(live, plant):
+    pushes = (
+        Push("pitch", acceleration=4.0, time=2.0),
+        Push("elevation", acceleration=3.0, time=3.0037, duration=0.013),  # off the steps of the integration
+        Push("travel", acceleration=-2.0, time=5.0, duration=0.3),
+    )
+    draw = DRAWS[plant]
+    env = Heli3DOFEnv(Plant(rotors=draw.rotors, friction=draw.friction, sensors=draw.sensors, disturbances=pushes))
+    controller = make_policy("feedforward+tvlqr", env.reference, PERIOD)
+    flight = fly(env, controller, seed=0)
+    steps, start = len(flight.t) - 1, env.reference.x[:, 0]
+    x, _ = fly_in_node(live, draw, env.reference, tracking(controller), start, steps, pushes)
+    np.testing.assert_allclose(x, flight.x, rtol=0.0, atol=1e-9)
+    calm, _ = fly_in_node(live, draw, env.reference, tracking(controller), start, steps)
+    assert np.abs(x - calm)[:, :100].max() < 1e-8  # with a push, it is integrated in smaller steps
+    assert np.abs(x - calm)[4, 110:].max() > np.radians(2.0)
+
+
+@pytest.mark.parametrize("plant", PLANTS)
+def test_draws_in_the_browser_are_within_the_ranges_of_python(plant):
+    preset = PLANTS[plant]
+    low, middle, high = in_node("[0, 0.5, 0.999].map((at) => heli.drawn(plant, () => at))", plant=demo.plain(preset))
+    if plant == "nominal":
+        assert low == middle == high == demo.plain(preset)
+        return
+    lag = preset.rotors.lag
+    assert low["rotors"]["lag"] == lag.low
+    assert middle["rotors"]["lag"] == pytest.approx((lag.low + lag.high) / 2.0)
+    assert low["rotors"]["lag"] < high["rotors"]["lag"] <= lag.high
+    assert (low["rig"] != high["rig"]) == (plant == "rigid")  # the other variant
+
+
+def test_the_linearisation_in_the_browser_is_that_of_python():
+    rng = np.random.default_rng(0)
+    x, v = rng.uniform(-1.0, 1.0, 6), rng.uniform(-1.0, 1.0, 2)
+    parameters = HelicopterParameters()
+    found = in_node("heli.linearise(x, v, p)", x=x.tolist(), v=v.tolist(), p=parameters._asdict())
+    for matrix, expected in zip((found["A"], found["B"]), linearise(x, v, parameters)):
+        np.testing.assert_allclose(matrix, expected, rtol=0.0, atol=1e-11)
+
+
+PLAN = """maneuvers.map(({p, ...maneuver}) => {
+    const plan = heli.integratePlan(maneuver, [p.slice(0, live.kappa[0]), p.slice(live.kappa[0])], live.pitch_reserve,
+                                    live.parameters, live.control_period / 2);
+    return {x: plan.x, u: plan.u, gains: gains ? heli.riccatiGains(plan, live.weights, live.parameters) : null};
+})"""
+
+
+def maneuvers(live):
+    """Every maneuver of the grid that has a plan, as the page asks for it."""
+    grid = live["grid"]
+    for pitch_limit_deg, chains in zip(grid["pitch_limits_deg"], grid["plans"]):
+        for window, chain in zip(grid["windows"], chains):
+            for duration, p in zip(grid["durations"], chain):
+                if p is not None:
+                    pitch = [-np.radians(pitch_limit_deg), np.radians(pitch_limit_deg)]
+                    limits = {"u": window, "pitch": pitch}
+                    yield {"duration": duration, "goal": live["goal"], "limits": limits, "p": p}
+
+
+def test_the_papers_plan_and_its_gains_in_the_browser_are_those_of_python(live, papers_plan):
+    limits = papers_plan.limits
+    [maneuver] = [
+        m
+        for m in maneuvers(live)
+        if (m["duration"], *m["limits"]["u"]) == (papers_plan.duration, *limits.u)
+        and np.allclose(m["limits"]["pitch"], limits.pitch)
+    ]
+    [found] = in_node(PLAN, live=live, maneuvers=[maneuver], gains=True)
+    t = 0.5 * PERIOD * np.arange(len(found["x"]))
+    x, u = papers_plan(t)
+    np.testing.assert_allclose(np.array(found["x"]).T, x, rtol=0.0, atol=1e-5)
+    np.testing.assert_allclose(np.array(found["u"]).T, u, rtol=0.0, atol=1e-4)
+    gains = np.moveaxis(np.array(found["gains"]), 0, -1)
+    np.testing.assert_allclose(gains, riccati_gains(papers_plan)(t[::2]), rtol=0.0, atol=1e-3)
+
+
+def test_every_plan_of_the_grid_arrives_and_keeps_its_limits(live):
+    asked = list(maneuvers(live))
+    assert len(asked) > 200
+    for maneuver, found in zip(asked, in_node(PLAN, live=live, maneuvers=asked, gains=False)):
+        x, u = np.array(found["x"]), np.array(found["u"])
+        # the last sample is the goal by definition, and the one before a hundredth of a second away from it
+        np.testing.assert_allclose(x[-2, 0::2], x[-1, 0::2], rtol=0.0, atol=1e-3)
+        np.testing.assert_allclose(x[-1, 0::2], [*live["goal"], 0.0])
+        (low, high), (pitch_low, pitch_high) = maneuver["limits"]["u"], maneuver["limits"]["pitch"]
+        assert low - 1e-6 <= u.min() <= u.max() <= high + 1e-6
+        assert pitch_low - 1e-6 <= x[:, 4].min() <= x[:, 4].max() <= pitch_high + 1e-6
+
+
+def test_the_grid_is_what_the_solver_finds(live):
+    grid = live["grid"]
+    i, j = len(demo.PITCH_LIMITS_DEG) - 1, 1
+    chain = demo.solve_chain(demo.PITCH_LIMITS_DEG[i], demo.VOLTAGE_WINDOWS[j])
+    assert (grid["durations"], grid["pitch_limits_deg"]) == (list(demo.DURATIONS), list(demo.PITCH_LIMITS_DEG))
+    assert [tuple(window) for window in grid["windows"]] == list(demo.VOLTAGE_WINDOWS)
+    for stored, found in zip(grid["plans"][i][j], chain, strict=True):
+        assert (stored is None) == (found is None)
+        if found is not None:
+            np.testing.assert_allclose(stored, found, rtol=0.0, atol=1e-3)
+
+
+# The live page
+
+# Pictures take long to draw without a GPU; where nobody looks at them, they are small.
+SMALL = 'await page.addStyleTag({content: ".live .view { height: 30px !important }"});'
+READ = """
+const readout = async (plot) => {
+  const figure = page.locator("figure", {hasText: plot}).first();
+  const texts = await figure.locator(".readout span").allTextContents();
+  return texts.map((text) => Number(text.replace("\\u2212", "-")));
+};
+const numbers = () => page.locator(".view").first().locator(".numbers").textContent();
+const clock = async () => parseFloat(await page.locator(".clock").textContent());
+const until = async (time) => {
+  await page.waitForFunction((t) => parseFloat(document.querySelector(".clock").textContent) >= t, time);
+};
+const pause = async () => { await page.locator("#play").click(); await page.waitForTimeout(300); };
+const slide = async (id, steps) => {
+  await page.locator(id).focus();
+  for (let k = 0; k < Math.abs(steps); k++) await page.keyboard.press(steps < 0 ? "ArrowLeft" : "ArrowRight");
+};
+"""
+
+
+@pytest.mark.parametrize("size", [DESKTOP, PHONE])
+def test_the_page_opens_without_complaint_fits_and_flies(page, size):
+    script = """
+        await until(0.2);
+        const first = [await numbers(), (await page.locator(".stage").screenshot()).toString("base64")];
+        await until(1.5);
+        const second = [await numbers(), (await page.locator(".stage").screenshot()).toString("base64")];
+        const width = await page.evaluate(() => document.documentElement.scrollWidth);
+        return {first, second, width, message: await page.locator(".stage").getAttribute("data-message")};
+    """
+    seen = in_browser(page, READ + script, size)
+    assert seen["message"] is None
+    assert seen["width"] <= size[0]
+    for before, after in zip(seen["first"], seen["second"]):
+        assert before != after
+
+
+def test_a_push_moves_the_pitch(page):
+    script = """
+        await page.locator("select").selectOption("0.25");
+        await slide("#startOff", -3);  // on the reference
+        await page.locator("#startOff").blur();
+        await until(0.2);
+        await pause();
+        const before = await readout("pitch");
+        await page.keyboard.press("Space");
+        await page.keyboard.press("ArrowRight");
+        await until(await clock() + 0.4);
+        await pause();
+        const after = await readout("pitch");
+        return {before, after};
+    """
+    seen = in_browser(page, READ + SMALL + script)
+    controlled, *_, reference = seen["before"]
+    assert abs(controlled - reference) < 0.2
+    controlled, open_loop, *_, reference = seen["after"]
+    assert controlled - reference > 2.0
+    assert open_loop - reference > 2.0
+
+
+def test_a_slider_changes_the_flight_and_what_has_no_plan_says_so(page, papers_plan):
+    script = """
+        const references = [];
+        await page.locator("select").selectOption("2");
+        for (const steps of [0, 8]) {  // 10 s, then 14 s
+          await slide("#duration", steps);
+          if (steps === 0) await page.locator("button", {hasText: "Restart"}).click();
+          await until(3);
+          await pause();
+          references.push([await clock(), (await readout("travel")).at(-1)]);
+        }
+        await slide("#duration", -11);  // 8.5 s
+        const message = await page.locator(".message").textContent();
+        const disabled = await page.locator("#play").isDisabled();
+        await page.locator("button", {hasText: "take"}).click();
+        await until(0.3);
+        return {references, message, disabled, duration: await page.locator("output[for=duration]").textContent(),
+                hidden: await page.locator(".message").isHidden()};
+    """
+    seen = in_browser(page, READ + SMALL + script)
+    (time, travel), (later_time, slower) = seen["references"]
+    assert abs(travel - np.degrees(papers_plan(time)[0][0])) < 6.0  # the clock shows tenths
+    assert slower < 0.7 * np.degrees(papers_plan(later_time)[0][0])
+    assert "8.5 s" in seen["message"]
+    assert seen["disabled"]
+    assert (seen["duration"], seen["hidden"]) == ("10.0 s", True)
+
+
+def test_plants_and_policies_are_chosen_with_the_keyboard_too(page):
+    script = """
+        await until(0.2);
+        const seen = {};
+        for (const key of ["3", "2", "1"]) {
+          await page.keyboard.press(key);
+          seen[key] = [await page.locator("input[name=plant]:checked").inputValue(),
+                       await page.locator("fieldset p.small").textContent()];
+        }
+        await page.keyboard.press("2");
+        await page.keyboard.press("d");
+        seen.d = await page.locator("fieldset p.small").textContent();
+        await page.keyboard.press("5");
+        seen.shown = await page.locator(".view").evaluateAll((views) => views.filter((view) => !view.hidden).length);
+        await page.keyboard.press("Space");
+        seen.play = await page.locator("#play").textContent();
+        await page.keyboard.press("Tab");
+        seen.focused = await page.evaluate(() => document.activeElement.tagName);
+        return seen;
+    """
+    seen = in_browser(page, READ + SMALL + script)
+    assert [seen[key][0] for key in "123"] == list(PLANTS)
+    assert "Draw 1" in seen["2"][1]
+    assert "Draw" not in seen["1"][1]
+    assert "Draw 2" in seen["d"]
+    assert seen["shown"] == sum(policy["shown"] for policy in demo.POLICIES) - 1
+    assert seen["play"] == "Fly"
+    assert seen["focused"] == "BUTTON"
+
+
+def test_the_residual_policy_flies_otherwise_than_what_it_corrects_with_the_network_of_the_plant(page):
+    script = """
+        const shown = async () => {
+          const values = [];
+          for (const plot of ["elevation", "pitch", "front voltage", "back voltage"]) values.push(await readout(plot));
+          return values;
+        };
+        const seen = {};
+        for (const [key, plant] of [["2", "lab"], ["3", "rigid"]]) {
+          await page.keyboard.press(key);
+          await page.locator(".toggles label", {hasText: "Kalman LQR"}).locator("input").check();
+          await until(1.5);
+          await pause();
+          seen[plant] = [await shown(), await page.locator("fieldset p.small").textContent()];
+        }
+        await page.keyboard.press("6");
+        await page.waitForTimeout(300);
+        seen.without = await shown();
+        return seen;
+    """
+    seen = in_browser(page, READ + SMALL + script)
+    for plant in ("lab", "rigid"):
+        values, note = seen[plant]
+        _, _, residual, kalman, hover, _ = zip(*values)
+        assert max(abs(a - b) for a, b in zip(residual, kalman)) > 0.3
+        assert set(hover) == {None}  # not shown at first
+        assert f"trained on {plant}" in note
+    _, _, residual, kalman, *_ = zip(*seen["without"])
+    assert set(residual) == {None}
+    assert None not in kalman
+
+
+def test_a_page_that_is_no_html_file_is_refused_by_name(tmp_path):
+    with pytest.raises(SystemExit, match=r"heli-demo: out = .*page\.txt"):
+        demo.main(demo.Args(out=tmp_path / "page.txt", open=False))
+    assert list(tmp_path.iterdir()) == []

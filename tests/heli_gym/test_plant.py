@@ -1,0 +1,321 @@
+import copy
+import math
+from types import SimpleNamespace
+
+import gymnasium as gym
+import numpy as np
+import pytest
+from independent import hover
+from numpy.testing import assert_allclose, assert_array_equal
+from scipy.integrate import solve_ivp
+
+from heli_gym.env import find_reference
+from heli_gym.model import dynamics, hover_input, thrust, virtual_input, voltage
+from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
+from heli_gym.plant import (
+    COULOMB_RATE,
+    LAB_FRICTION,
+    PLANTS,
+    Friction,
+    Gust,
+    MovingMass,
+    OneOf,
+    Plant,
+    Push,
+    RotorFault,
+    Rotors,
+    Sensors,
+    Uniform,
+    find_plant,
+)
+from heli_gym.rigid_body import rigid_dynamics, solve_rigid_body
+from heli_gym.simulation.kernels import DISTURBANCES, GUST, MEASURED, MOTOR, ROTOR, ROW, X
+from heli_gym.simulation.simulation import Simulation
+from heli_gym.task import to_action
+
+P = HelicopterParameters()
+HOVER = (float(voltage(0.5 * hover_input(0.0, P)[0], P)),) * 2
+LEVEL = (0.0,) * 6
+
+
+def simulate(plant, voltages=HOVER, x=LEVEL, duration=2.0, dt=0.02, seed=0):
+    """Rows (..., K + 1) at the start and after each control period; voltages constant or one pair per period."""
+    steps = round(duration / dt)
+    simulation = Simulation([plant], [hover(duration)], dt, AMPLIFIER_LIMITS, math.inf)
+    simulation.draw(0, np.random.default_rng(seed))
+    simulation.begin(np.zeros(1, int), np.array([x], float))
+    flown = [simulation.blocks.reshape(-1, ROW)[:, 0].copy()]
+    for action in to_action(np.broadcast_to(voltages, (steps, 2)), AMPLIFIER_LIMITS):
+        simulation.step(action[None])
+        flown.append(simulation.blocks.reshape(-1, ROW)[:, 0].copy())
+    rows = np.array(flown).T
+    return SimpleNamespace(
+        x=rows[X : X + 6],
+        measured=rows[MEASURED : MEASURED + 6] if plant.sensors else rows[X : X + 6],
+        motor=rows[MOTOR : MOTOR + 2],
+        rotor=rows[ROTOR : ROTOR + 2],
+        gust=rows[DISTURBANCES + GUST] if plant.disturbances else None,
+    )
+
+
+def test_nominal_plant_is_equation_3():
+    u = (9.0, 7.0)
+    flight = simulate(PLANTS["nominal"], u)
+    exact = solve_ivp(
+        lambda t, x: dynamics(x, virtual_input(thrust(np.array(u), P)), P), (0, 2), LEVEL, rtol=1e-11, atol=1e-12
+    )
+    assert_allclose(flight.x[:, -1], exact.y[:, -1], atol=1e-9)
+
+
+@pytest.mark.parametrize("lag", [0.05, 0.2])
+@pytest.mark.parametrize("rig", [None, solve_rigid_body("A"), solve_rigid_body("B")], ids=["(3)", "A", "B"])
+def test_a_flight_with_lag_and_friction_agrees_with_an_adaptive_integrator(rig, lag):
+    loss, d, c, u = 0.1, np.array([0.1, 0.2, 0.3]), np.array([0.02, 0.01, 0.03]), np.array([9.5, 8.0])
+    plant = Plant(rig=rig, rotors=Rotors(lag=lag, thrust_loss=loss), friction=Friction(tuple(d), tuple(c)))
+    x = (0.0, 0.3, 0.05, -0.1, 0.2, 0.1)
+
+    def rhs(t, z):
+        v = virtual_input((1 - loss) * P.k_plus * z[6:] ** 2)
+        dx = np.array(dynamics(z[:6], v, P) if rig is None else rigid_dynamics(z[:6], v, rig))
+        dx[1::2] -= d * z[1:6:2] + c * z[1:6:2] / np.hypot(z[1:6:2], COULOMB_RATE)
+        return np.concatenate((dx, (u - z[6:]) / lag))
+
+    exact = solve_ivp(rhs, (0, 2), (*x, *HOVER), rtol=1e-10, atol=1e-12, method="DOP853", max_step=0.01)
+    assert_allclose(simulate(plant, u, x).x[:, -1], exact.y[:6, -1], atol=1e-6)
+
+
+def test_rotors_follow_a_step_exponentially():
+    flight = simulate(Plant(rotors=Rotors(lag=0.15)), (11.0, 5.0), duration=0.3)
+    expected = np.array([11.0, 5.0]) + (HOVER[0] - np.array([11.0, 5.0])) * math.exp(-0.3 / 0.15)
+    assert_allclose(flight.rotor[:, -1], expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("delay", [1, 3])
+def test_a_delay_shifts_the_flight_by_that_many_control_periods(delay):
+    voltages = np.random.default_rng(0).uniform(5.0, 11.0, (50, 2))
+    late = simulate(Plant(rotors=Rotors(delay=delay)), voltages, duration=1.0).x
+    shifted = np.concatenate((np.tile(HOVER, (delay, 1)), voltages[:-delay]))
+    assert_allclose(late, simulate(Plant(), shifted, duration=1.0).x, atol=1e-14)
+
+
+def test_the_amplifier_changes_no_faster_than_its_slew_rate():
+    u = simulate(Plant(rotors=Rotors(slew=20.0)), (12.0, 0.0), duration=1.0).motor
+    assert_allclose(np.abs(np.diff(u)).max(), 20.0 * 0.02, rtol=1e-12)
+    assert_allclose(u[:, -1], [12.0, 0.0])
+
+
+def test_viscous_friction_lets_free_travel_die_out_exponentially():
+    plant = Plant(friction=Friction(viscous=(0.4, 0.0, 0.0)))
+    assert_allclose(simulate(plant, x=(0, 0.5, 0, 0, 0, 0)).x[1, -1], 0.5 * math.exp(-0.4 * 2.0), rtol=1e-8)
+
+
+def test_coulomb_friction_takes_the_same_speed_off_whatever_the_speed():
+    plant = Plant(friction=Friction(coulomb=(0.05, 0.0, 0.0)))
+    for rate in (0.5, -1.0):
+        change = simulate(plant, x=(0, rate, 0, 0, 0, 0)).x[1, -1] - rate
+        assert_allclose(change, -math.copysign(0.05 * 2.0, rate), rtol=0.5 * (COULOMB_RATE / 0.4) ** 2)
+
+
+def test_encoders_count_whole_steps_and_are_off_by_half_a_step_at_most():
+    sensors = Sensors(counts=(100, 200, 300))
+    flight = simulate(Plant(sensors=sensors), (9.0, 7.5))
+    steps = 2.0 * math.pi / np.array(sensors.counts)[:, None]
+    counted = flight.measured[0::2] / steps
+    assert_allclose(counted, np.round(counted), atol=1e-9)
+    assert (np.abs(flight.measured[0::2] - flight.x[0::2]) <= 0.5 * steps + 1e-12).all()
+
+
+def test_estimated_rates_converge_to_a_constant_rate():
+    flight = simulate(Plant(sensors=Sensors(counts=(10**9,) * 3, rate_filter=0.05)), x=(0, 0.7, 0, 0, 0, 0))
+    assert_allclose(flight.measured[1, -1], 0.7, rtol=1e-6)
+
+
+def test_noise_has_the_standard_deviation_that_was_asked_for():
+    flight = simulate(Plant(sensors=Sensors(counts=(10**9,) * 3, noise=0.01)), duration=40.0)
+    errors = flight.measured[0::2] - flight.x[0::2]
+    assert_allclose(errors.std(axis=1), 0.01, rtol=0.06)
+    assert_allclose(np.corrcoef(errors[:, 1:], errors[:, :-1]), np.eye(6), atol=0.08)
+
+
+@pytest.mark.parametrize("start", [0.1, 0.1037, 0.1149])
+@pytest.mark.parametrize("duration", [0.003, 0.007, 0.013, 0.016, 0.05])
+@pytest.mark.parametrize(("axis", "row"), [("travel", 1), ("elevation", 3), ("pitch", 5)])
+def test_a_push_changes_the_rate_by_acceleration_times_duration(axis, row, duration, start):
+    plant = Plant(disturbances=(Push(axis, acceleration=2.0, time=start, duration=duration),))
+    before, after = (simulate(plant, duration=end).x[row, -1] for end in (0.1, 0.18))
+    assert before == pytest.approx(0.0, abs=1e-12)
+    assert after == pytest.approx(2.0 * duration, rel=1e-2)
+
+
+@pytest.mark.parametrize("start", [0.0, -0.25, 0.1037])
+def test_a_push_without_end_goes_on(start):
+    plant = Plant(disturbances=(Push("travel", acceleration=2.0, time=start, duration=math.inf),))
+    assert simulate(plant, duration=1.0).x[1, -1] == pytest.approx(2.0 * (1.0 - max(start, 0.0)), rel=1e-12)
+
+
+def test_a_gust_has_its_standard_deviation_and_correlation_time():
+    plant = Plant(disturbances=(Gust("pitch", strength=0.5, correlation_time=0.4),))
+    values = simulate(plant, duration=1000.0, dt=0.05).gust
+    assert values[0] == 0.0
+    assert_allclose(values.std(), 0.5, rtol=0.05)
+    assert_allclose(np.corrcoef(values[:-8], values[8:])[0, 1], math.exp(-1.0), atol=0.05)
+
+
+def test_a_moved_mass_is_a_change_of_a2():
+    moved = Plant(disturbances=(MovingMass(a2_change=0.05, time=-1.0, duration=0.5),))
+    assert_allclose(simulate(moved).x, simulate(Plant(P._replace(a2=P.a2 + 0.05)), dt=0.005).x[:, ::4], atol=1e-9)
+
+
+def test_a_rotor_fault_takes_its_share_of_one_thrust_from_its_time_on():
+    states = simulate(Plant(disturbances=(RotorFault("front", loss=0.3, time=1.0),))).x
+    assert_allclose(states[:, :51], 0.0, atol=1e-12)
+    lost = 0.3 * float(thrust(HOVER[0], P))
+    assert states[5, -1] == pytest.approx(-P.b3 * lost * 1.0, rel=0.2)
+    assert states[4, -1] < 0.0
+
+
+@pytest.mark.parametrize("start", [1.003, 1.0149])
+def test_a_rotor_fault_off_the_grid_takes_its_share_from_its_very_time_on(start):
+    rate = simulate(Plant(disturbances=(RotorFault("front", loss=0.3, time=start),)), duration=1.06).x[5, -1]
+    assert rate == pytest.approx(-P.b3 * 0.3 * float(thrust(HOVER[0], P)) * (1.06 - start), rel=1e-2)
+
+
+def ranges(value):
+    if isinstance(value, Uniform | OneOf):
+        yield value
+    elif isinstance(value, tuple):
+        for part in value:
+            yield from ranges(part)
+    elif hasattr(value, "__dataclass_fields__"):
+        for name in value.__dataclass_fields__:
+            yield from ranges(getattr(value, name))
+
+
+@pytest.mark.parametrize("name", PLANTS)
+def test_draws_are_within_the_ranges_and_leave_none(name):
+    plant = PLANTS[name]
+    for seed in range(20):
+        draw = plant.draw(np.random.default_rng(seed))
+        assert not list(ranges(draw))
+        assert draw == plant.draw(np.random.default_rng(seed))
+        if name != "nominal":
+            assert 0.05 <= draw.rotors.lag <= 0.2
+            assert 0.0 <= draw.rotors.thrust_loss <= 0.15
+            for value, (low, high) in zip(draw.friction.viscous, [(0.017, 0.2), (0.04, 0.3), (0.04, 0.46)]):
+                assert low <= value <= high
+
+
+def test_travel_damping_ends_before_the_paper_s_plan_takes_more_voltage_than_there_is():
+    reference = find_reference("travel-360")
+    (_, dq1, q2, _, q3, _), u = reference(np.linspace(0.0, reference.duration, 2001))
+    v1 = virtual_input(thrust(u, P))[0]
+
+    def tilt_and_voltage(damping):
+        """Pitch in degrees, and voltage at both fans, with which travel and elevation are the plan's nevertheless."""
+        sideways, lift = v1 * np.sin(q3) + damping * dq1 / (P.b1 * np.cos(q2)), v1 * np.cos(q3)
+        return np.degrees(np.arctan2(sideways, lift)), voltage(0.5 * np.hypot(sideways, lift), P)
+
+    fastest = np.abs(dq1).argmax()
+    assert np.degrees(dq1[fastest]) == pytest.approx(88.0, abs=0.5)
+    assert tilt_and_voltage(0.35)[0][fastest] == pytest.approx(-50.0, abs=0.5)
+    assert tilt_and_voltage(LAB_FRICTION.viscous[0].high)[1].max() < 12.0
+    assert tilt_and_voltage(0.25)[1].max() == pytest.approx(12.0, abs=0.05)
+
+
+def test_the_rigid_plant_draws_both_variants_and_the_drag_ratio():
+    draws = [PLANTS["rigid"].draw(np.random.default_rng(seed)).rig for seed in range(20)]
+    assert {draw.e_h > 0 for draw in draws} == {True, False}
+    kappas = [draw.kappa for draw in draws]
+    assert 0.015 <= min(kappas) < max(kappas) <= 0.03
+
+
+@pytest.mark.parametrize("name", ["lab", "rigid"])
+def test_same_seed_same_flight_and_another_seed_another(name):
+    def flight(seed):
+        env = gym.make("heli_gym:Heli3DOF-v0", plant=name)
+        _, info = env.reset(seed=seed)
+        observations = [env.step(np.array([0.3, 0.32], np.float32))[0] for _ in range(50)]
+        return info["plant"], np.array(observations)
+
+    (plant, first), (again, second), (other, third) = flight(1), flight(1), flight(2)
+    assert plant == again != other
+    assert_array_equal(first, second)
+    assert not np.array_equal(first, third)
+
+
+def test_reset_can_set_the_plant_of_one_episode():
+    env = gym.make("heli_gym:Heli3DOF-v0", plant="lab")
+    faulty = Plant(disturbances=(RotorFault("back", 0.5),))
+    assert env.reset(seed=0, options={"plant": faulty})[1]["plant"] == faulty
+    assert env.reset(seed=0, options={"plant": "nominal"})[1]["plant"] == PLANTS["nominal"]
+    assert env.reset(seed=0)[1]["plant"].rotors.delay == 1
+
+
+@pytest.mark.parametrize(
+    ("make", "name"),
+    [
+        (lambda: find_plant("moon"), "plant"),
+        (lambda: Uniform(2.0, 1.0), "Uniform"),
+        (lambda: Uniform(math.nan, 1.0), "Uniform"),
+        (lambda: Rotors(lag=-0.1), "lag"),
+        (lambda: Rotors(lag=Uniform(-0.1, 0.1)), "lag"),
+        (lambda: Rotors(thrust_loss=1.5), "thrust_loss"),
+        (lambda: Rotors(delay=-1), "delay"),
+        (lambda: Rotors(delay=1.5), "delay"),
+        (lambda: Rotors(delay=Uniform(0.0, 2.0)), "delay"),
+        (lambda: Rotors(delay=math.nan), "delay"),
+        (lambda: Rotors(slew=math.nan), "slew"),
+        (lambda: Friction(viscous=(-0.1, 0.0, 0.0)), "viscous"),
+        (lambda: Friction(coulomb=(0.1, 0.0)), "coulomb"),
+        (lambda: Sensors(counts=(0, 1, 1)), "counts"),
+        (lambda: Friction(viscous=(0.0, math.inf, 0.0)), "viscous"),
+        (lambda: Sensors(counts=(8192, 4096.5, 4096)), "counts"),
+        (lambda: Sensors(counts=(8192, Uniform(1.0, 9.0), 4096)), "counts"),
+        (lambda: Sensors(noise=-1.0), "noise"),
+        (lambda: Sensors(noise=math.inf), "noise"),
+        (lambda: Push("yaw", 1.0, 0.0), "axis"),
+        (lambda: Push("pitch", math.nan, 0.0), "acceleration"),
+        (lambda: Push("pitch", -math.inf, 0.0), "acceleration"),
+        (lambda: Push("pitch", 1.0, math.nan), "time"),
+        (lambda: Push("pitch", 1.0, -math.inf), "time"),
+        (lambda: Push("pitch", 1.0, 0.0, math.nan), "duration"),
+        (lambda: Gust("pitch", -1.0), "strength"),
+        (lambda: Gust("pitch", math.inf), "strength"),
+        (lambda: MovingMass(0.1, 0.0, 0.0), "duration"),
+        (lambda: MovingMass(math.inf, 0.0), "a2_change"),
+        (lambda: MovingMass(0.1, math.nan), "time"),
+        (lambda: RotorFault("front", 0.1, math.inf), "time"),
+        (lambda: RotorFault("front", 0.1, math.nan), "time"),
+        (lambda: RotorFault("left", 0.1), "rotor"),
+        (lambda: RotorFault("front", 2.0), "loss"),
+    ],
+)
+def test_a_value_that_no_rig_has_is_refused_by_name(make, name):
+    with pytest.raises(ValueError, match=name):
+        make()
+
+
+def test_whatever_may_be_a_range_is_drawn_and_flown():
+    one, several = Uniform(0.1, 0.2), (Uniform(0.1, 0.2),) * 3
+    plant = Plant(
+        parameters=HelicopterParameters(k_plus=Uniform(4e-3, 5e-3), b1=Uniform(-0.7, -0.6)),
+        rotors=Rotors(lag=one, thrust_loss=one, slew=Uniform(40.0, 50.0)),
+        friction=Friction(viscous=several, coulomb=several),
+        sensors=Sensors(noise=Uniform(0.001, 0.002), rate_filter=one),
+        disturbances=(
+            Push("pitch", one, one, one),
+            Gust("pitch", one, one),
+            MovingMass(one, one, one),
+            RotorFault("back", one, one),
+        ),
+    )
+    env = gym.make("heli_gym:Heli3DOF-v0", plant=plant)
+    draws = [env.reset(seed=seed)[1]["plant"] for seed in range(5)]
+    for _ in range(20):
+        env.step(np.array([0.3, 0.3], np.float32))
+    assert len({draw.parameters.b1 for draw in draws}) == 5
+    assert all(-0.7 <= draw.parameters.b1 <= -0.6 and not list(ranges(draw)) for draw in draws)
+
+
+def test_a_copy_of_a_plant_is_the_plant_itself():
+    assert copy.deepcopy({"plant": PLANTS["lab"]})["plant"] is PLANTS["lab"]

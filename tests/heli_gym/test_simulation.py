@@ -1,0 +1,223 @@
+import os
+import pickle
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from independent import hover
+from numpy.testing import assert_allclose, assert_array_equal
+
+from heli_gym.env import find_reference
+from heli_gym.model import rk4_step, thrust, virtual_input
+from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters
+from heli_gym.plant import PLANTS, Gust, MovingMass, Plant, Push, RotorFault, Rotors, Sensors
+from heli_gym.simulation import kernels
+from heli_gym.simulation.fast_math import cosine, sine, standard_normal
+from heli_gym.simulation.kernels import ASKED, LAG, LANES, REWARD, STEP, TIME, TRUNCATED, X
+from heli_gym.simulation.simulation import Simulation
+from heli_gym.task import reward, to_voltage
+
+REFERENCE = find_reference("travel-360")
+GUSTY = Plant(
+    rotors=Rotors(lag=0.1, slew=50.0, delay=2),
+    sensors=Sensors(noise=0.002),
+    disturbances=(Gust("pitch", 0.5), Push("travel", 0.3, 0.1), RotorFault("back", 0.2, 0.2), MovingMass(0.05, 0.1)),
+)
+
+
+def simulation(plants, references=None, period=0.02, dtype=np.float64, seed=0, **arguments):
+    """Flights of these plants, begun, each from its own seed."""
+    references = references or [REFERENCE] * len(plants)
+    flights = Simulation(plants, references, period, AMPLIFIER_LIMITS, PITCH_STOP, dtype=dtype, **arguments)
+    for j in range(len(plants)):
+        flights.draw(j, np.random.default_rng([seed, j]))
+    flights.begin(np.arange(len(plants)))
+    return flights
+
+
+def actions(steps, n, seed=1):
+    """Actions (steps, N, 2) about hover, with some beyond the amplifier's limits."""
+    rng = np.random.default_rng(seed)
+    values = rng.normal(0.31, 0.05, (steps, n, 2))
+    values[rng.random((steps, n)) < 0.02] *= 5.0
+    return values
+
+
+def interpreted(flights, patch):
+    """A copy of these flights that is stepped by the very same functions, uncompiled."""
+    copy = pickle.loads(pickle.dumps(flights))
+    patch.setattr(kernels, "derivative", flights.rhs)
+    copy.kernels = kernels.Kernels(kernels.begin, kernels.tell, kernels.step)
+    return copy
+
+
+@pytest.mark.parametrize("plant", [*PLANTS.values(), GUSTY], ids=[*PLANTS, "gusty"])
+def test_compiled_and_interpreted_flights_are_the_same(plant, monkeypatch):
+    compiled = simulation([plant] * 3, start_spread=0.05)
+    plain = interpreted(compiled, monkeypatch)
+    with np.errstate(all="ignore"):  # of the lanes that no helicopter is in
+        for flights in (compiled, plain):
+            flights.begin(np.arange(3))
+        assert_allclose(compiled.blocks, plain.blocks, rtol=0.0, atol=1e-12)
+        for action in actions(25, 3):
+            (over, *ours), (over_too, *theirs) = compiled.step(action), plain.step(action)
+            assert over == over_too
+            assert_array_equal(ours[0].shape, theirs[0].shape)
+            for a, b in zip(ours, theirs):
+                assert_allclose(a, b, rtol=0.0, atol=1e-12 if a.dtype == float else 1e-6)
+
+
+def test_a_batch_in_numpy_of_the_same_equations_is_the_compiled_flight():
+    flights, p = simulation([Plant()] * 70, start_spread=0.1), HelicopterParameters()
+    x = flights.rows(X, 6).copy()
+    for k, action in enumerate(actions(50, 70)):
+        _, _, told = flights.step(action)
+        u = np.clip(to_voltage(action.T, AMPLIFIER_LIMITS), *AMPLIFIER_LIMITS)
+        v = virtual_input(thrust(u, p))
+        x = np.array(rk4_step(kernels.equation_3, x, (v, v, v), 0.02, kernels.Body(p, None, None, None, None)))
+        earned = 0.02 * reward(x - REFERENCE(0.02 * (k + 1))[0][:, None], u - REFERENCE(0.02 * (k + 0.5))[1][:, None])
+        assert_allclose(told[X : X + 6], x, rtol=0.0, atol=1e-12)
+        assert_allclose(told[ASKED : ASKED + 2], u, rtol=0.0, atol=1e-12)
+        assert_allclose(told[REWARD], earned, rtol=0.0, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", PLANTS)
+def test_single_precision_flies_nearly_the_same(name):
+    double, single = (simulation([PLANTS[name]] * 5, dtype=dtype) for dtype in (np.float64, np.float32))
+    for action in actions(100, 5):
+        (_, _, exact), (_, _, close) = double.step(action), single.step(action)
+    assert close.dtype == np.float32
+    assert_allclose(close[X : X + 6], exact[X : X + 6], rtol=0.0, atol=2e-4)
+
+
+@pytest.mark.parametrize("n", [1, LANES - 1, LANES, LANES + 1, 3 * LANES + 8])
+def test_each_helicopter_flies_as_if_it_were_alone_whatever_block_it_is_in(n):
+    together, controls = simulation([PLANTS["lab"]] * n), actions(5, n)
+    told = [together.step(action)[1:] for action in controls]
+    for j in {0, n // 2, n - 1}:
+        alone = Simulation([PLANTS["lab"]], [REFERENCE], 0.02, AMPLIFIER_LIMITS, PITCH_STOP)
+        alone.draw(0, np.random.default_rng([0, j]))
+        alone.begin(np.zeros(1, int))
+        for action, (observation, rows) in zip(controls, told):
+            _, own_observation, own_rows = alone.step(action[j : j + 1])
+            assert_allclose(own_observation[0], observation[j], rtol=0.0, atol=1e-6)
+            assert_allclose(own_rows[:, 0], rows[:, j], rtol=0.0, atol=1e-12)
+
+
+def test_plants_delays_and_references_may_differ_from_helicopter_to_helicopter():
+    plants = [
+        Plant(),
+        PLANTS["lab"],
+        GUSTY,
+        Plant(rotors=Rotors(delay=3)),
+        Plant(parameters=HelicopterParameters(b1=-0.7)),
+    ]
+    references = [REFERENCE, hover(3.0), hover(5.0, 0.1), REFERENCE, REFERENCE]
+    together, controls = simulation(plants, references, random_start=True), actions(40, 5)
+    apart = []
+    for j, (p, r) in enumerate(zip(plants, references)):
+        apart.append(Simulation([p], [r], 0.02, AMPLIFIER_LIMITS, PITCH_STOP, random_start=True))
+        apart[-1].draw(0, np.random.default_rng([0, j]))
+        apart[-1].begin(np.zeros(1, int))
+    for action in controls:
+        told = together.step(action)[2]
+        for j, alone in enumerate(apart):
+            alone.step(action[j : j + 1])
+            # a lag-free plant takes shorter steps beside one with lag
+            assert_allclose(told[X : X + 6, j], alone.rows(X, 6)[:, 0], rtol=0.0, atol=1e-9)
+            assert told[TIME, j] == 0.02 * alone.rows(STEP, 1)[0, 0]
+
+
+def test_the_plant_that_is_told_is_the_plant_that_is_flown():
+    flights = simulation([PLANTS["rigid"]] * 50)
+    for j in range(50):
+        drawn = flights.drawn_plant(j)
+        numbers = [*drawn.parameters, *drawn.rig, drawn.rotors.lag, drawn.rotors.thrust_loss]
+        rows = flights.rows(kernels.NUMBERS, kernels.SLEW - kernels.NUMBERS)[:, j]
+        assert_allclose(rows, numbers, rtol=1e-14)
+    assert len(set(flights.rows(LAG, 1)[0])) == 50
+
+
+def test_a_simulation_that_is_pickled_in_flight_flies_on_the_same():
+    flights = simulation([PLANTS["lab"], GUSTY])
+    for action in actions(10, 2):
+        flights.step(action)
+    copy = pickle.loads(pickle.dumps(flights))
+    for action in actions(10, 2, seed=2):
+        for a, b in zip(flights.step(action), copy.step(action)):
+            assert_array_equal(a, b)
+
+
+def test_a_plant_with_a_rig_does_not_fly_beside_one_without():
+    with pytest.raises(ValueError, match="either all plants"):
+        simulation([PLANTS["rigid"], PLANTS["lab"]])
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_an_action_that_is_not_finite_changes_nothing(bad):
+    flights = simulation([Plant()] * 3)
+    before, action = flights.blocks.copy(), np.full((3, 2), 0.3)
+    action[1, 1] = bad
+    assert flights.step(action)[0] == -1
+    assert_array_equal(flights.blocks, before)
+
+
+def test_flights_are_counted_when_they_are_over():
+    flights, last = simulation([Plant()] * 4, [hover(0.1), hover(0.1), hover(0.2), hover(0.2)]), []
+    for _ in range(10):
+        over, _, told = flights.step(np.full((4, 2), 0.31))
+        last.append((over, *told[TRUNCATED]))
+    assert [row[0] for row in last] == [0, 0, 0, 0, 2, 0, 0, 0, 0, 2]
+
+
+# What the loops are made of
+
+
+@pytest.mark.parametrize(("ours", "exact"), [(sine, np.sin), (cosine, np.cos)])
+def test_sine_and_cosine_are_exact_to_two_units_in_the_last_place(ours, exact):
+    rng = np.random.default_rng(0)
+    near = rng.integers(-60000, 60000, 20000) * (np.pi / 2) + rng.normal(0.0, 1e-3, 20000)
+    x = np.concatenate((rng.uniform(-1e5, 1e5, 200000), rng.uniform(-4.0, 4.0, 200000), near, [0.0, -0.0]))
+    compiled = kernels.compiler_of(np.float64, kernels.equation_3, kernels.fly_plain).part(ours)
+    told, right = np.array([compiled(v) for v in x]), exact(x)
+    # beside a zero of the function, what is left of the reduction counts
+    assert (np.abs(told - right) <= 2.0 * np.spacing(np.abs(right)) + 1e-20).all()
+
+
+def test_the_normal_numbers_are_normal_and_independent():
+    keys = np.random.default_rng(0).random(200)
+    compiled = kernels.compiler_of(np.float64, kernels.equation_3, kernels.fly_plain).part(standard_normal)
+    z = np.array([[[compiled(key, float(k), channel) for channel in range(4)] for k in range(100)] for key in keys])
+    assert abs(z.mean()) < 0.01
+    assert z.std() == pytest.approx(1.0, abs=0.01)
+    assert (z**3).mean() == pytest.approx(0.0, abs=0.03)
+    assert (z**4).mean() == pytest.approx(3.0, abs=0.08)
+    for shifted in (z[:, 1:] * z[:, :-1], z[:, :, 1:] * z[:, :, :-1], z[1:] * z[:-1]):
+        assert abs(shifted.mean()) < 0.012
+
+
+# The cache
+
+
+def test_kernels_are_kept_on_disk_and_importing_compiles_nothing(tmp_path):
+    script = """
+import numba.core.event as event, json
+with event.install_recorder("numba:compile") as recorder:
+    import heli_gym.env
+    imported = len(recorder.buffer)
+    env = heli_gym.env.Heli3DOFEnv()
+    env.reset()
+    env.step(env.action_space.sample())
+print(json.dumps([imported, len(recorder.buffer)]))
+"""
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+    runs = [
+        subprocess.run(
+            [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True
+        ).stdout
+        for _ in range(2)
+    ]
+    assert runs[0].startswith("[0, ")
+    assert not runs[0].startswith("[0, 0]")
+    assert runs[1].startswith("[0, 0]")

@@ -1,0 +1,61 @@
+"""The pages in node and in Chromium. Where these are missing, tests are skipped, unless HELI_BROWSER_TESTS is set."""
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from heli_gym.baselines.evaluation.report import WEB
+
+SOURCES = Path(__file__).parents[2] / "web"
+DESKTOP, PHONE = (1400, 900), (390, 844)
+
+
+def lacking(what: str):
+    if os.environ.get("HELI_BROWSER_TESTS"):
+        pytest.fail(f"HELI_BROWSER_TESTS is set, and there is no {what}")
+    pytest.skip(f"there is no {what} here")
+
+
+def tool(name: str) -> str:
+    """The path of a program."""
+    return shutil.which(name) or lacking(name)
+
+
+def installed(name: str) -> str:
+    """The path of something in the packages that `npm ci` installs in web/."""
+    path = SOURCES / "node_modules" / name
+    return str(path) if path.exists() else lacking(f"{name}: run `npm ci` in web/")
+
+
+def in_node(expression: str, **data):
+    """The value of a JavaScript expression, with the shipped program as `heli` and the data by their names."""
+    script = (
+        "const {readFileSync} = require('fs');"
+        f"(0, eval)(readFileSync({json.dumps(str(WEB / 'heli.js'))}, 'utf8') + ';globalThis.heli = heli');"
+        f"const {{{', '.join(data)}}} = JSON.parse(readFileSync(0, 'utf8'));"
+        f"process.stdout.write(JSON.stringify({expression}))"
+    )
+    child = subprocess.run([tool("node"), "-e", script], input=json.dumps(data), capture_output=True, text=True)
+    assert child.returncode == 0, child.stderr
+    return json.loads(child.stdout)
+
+
+def in_browser(path: Path, script: str, size: tuple[int, int] = DESKTOP):
+    """What a script returns that drives a page, which must neither complain nor ask for anything from a network.
+
+    The script is the body of an async function of Playwright's `page`.
+    """
+    installed("playwright-core")
+    order = {"url": path.absolute().as_uri(), "width": size[0], "height": size[1], "script": script}
+    command = [tool("node"), str(SOURCES / "browser.mjs")]
+    order["executable"] = tool("chromium")
+    child = subprocess.run(command, input=json.dumps(order), capture_output=True, text=True, timeout=300)
+    assert child.returncode == 0, child.stderr
+    answer = json.loads(child.stdout)
+    # The driver remarks on how slow it is to read pixels back where there is no GPU.
+    assert [error for error in answer["errors"] if "GPU stall due to ReadPixels" not in error] == []
+    assert answer["requests"] == []
+    return answer["result"]

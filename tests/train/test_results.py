@@ -1,0 +1,179 @@
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+pytest.importorskip("rich")
+
+from heli_gym.baselines import fly, make_policy
+from heli_gym.baselines.control.residual import load_learned, save_learned
+from heli_gym.train import results
+from heli_gym.train.oracle import EFFORT, NoOptimum, Oracle
+from heli_gym.train.results import Args, compare, improvement, interquartile_mean, mean_with_interval, table_of
+from numpy.testing import assert_allclose, assert_array_equal
+from rich.console import Console
+from scipy.stats import norm
+
+from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.plant import Plant, Push
+from heli_gym.vector_env import Heli3DOFVectorEnv
+
+SMALL = Args(policies=("feedforward+tvlqr",), against="feedforward+tvlqr", reference="climb-7.5")
+RESULTS = Path(__file__).parents[2] / "results"
+
+
+def test_the_interquartile_mean_is_the_mean_of_the_middle_half():
+    assert interquartile_mean(np.array([[100.0, 1.0, 2.0, -50.0], [3.0, 4.0, 5.0, 99.0]])) == pytest.approx(3.5)
+
+
+def test_an_interval_covers_the_truth_about_as_often_as_it_says():
+    rng = np.random.default_rng(0)
+    covered = 0
+    for _ in range(60):
+        low, high = mean_with_interval(rng.standard_normal((1, 60)))["interval"]
+        covered += low <= 0.0 <= high
+    assert covered / 60 >= 0.85
+
+
+def test_the_interval_of_a_mean_over_seeds_is_wider_where_the_seeds_differ():
+    rng = np.random.default_rng(1)
+    alike = rng.standard_normal((10, 50))
+    different = alike + 3.0 * rng.standard_normal((10, 1))
+    (a, b), (c, d) = (mean_with_interval(values)["interval"] for values in (alike, different))
+    assert d - c > 2.0 * (b - a)
+
+
+def test_improvements_are_paired_by_draw():
+    rng = np.random.default_rng(2)
+    base = rng.uniform(1.0, 10.0, (1, 80))
+    found = improvement(np.repeat(0.6 * base, 5, axis=0), base)
+    assert found["share"] == pytest.approx(0.4)
+    assert_allclose(found["interval"], [0.4, 0.4], atol=0.02)  # draws differ widely, but in both alike
+    assert found["probability"] == 1.0
+    assert improvement(base, base)["probability"] == 0.5
+
+
+def test_the_probability_of_improvement_is_that_of_a_smaller_value():
+    rng = np.random.default_rng(3)
+    found = improvement(rng.normal(5.0, 1.0, (40, 500)), rng.normal(6.0, 1.0, (1, 500)))
+    assert found["probability"] == pytest.approx(norm.cdf(1.0 / np.sqrt(2.0)), abs=0.03)
+
+
+def test_every_policy_flies_the_same_draws_and_the_table_says_what_they_did(tmp_path):
+    args = Args(
+        policies=("feedforward+tvlqr", "kalman-lqr"),
+        against="feedforward+tvlqr",
+        reference="climb-7.5",
+        episodes=6,
+        out=tmp_path,
+    )
+    found = compare(args, Console(quiet=True))
+    assert {name: values.shape for name, values in found.items()} == {
+        "feedforward+tvlqr": (len(results.METRICS), 1, 6),
+        "kalman-lqr": (len(results.METRICS), 1, 6),
+    }
+    _, rows = table_of(args, found)
+    json.dumps(rows)
+    assert rows["feedforward+tvlqr"]["travel improvement"]["share"] == 0.0
+    assert rows["kalman-lqr"]["elevation"]["iqm"] == interquartile_mean(found["kalman-lqr"][1])
+    results.draw_profiles(tmp_path / "profiles.png", args, found)
+    assert (tmp_path / "profiles.png").read_bytes()[:4] == b"\x89PNG"
+
+
+def test_a_method_is_flown_once_for_each_of_its_seeds(tmp_path):
+    seeds = [RESULTS / f"lab/residual/{seed}/best" for seed in (0, 1)]
+    for seed, path in enumerate(seeds):
+        save_learned(tmp_path / f"mine/{seed}/best", *load_learned(path))
+    args = Args(policies=("kalman-lqr",), against="kalman-lqr", methods=(tmp_path / "mine",), episodes=3, out=tmp_path)
+    found = compare(args, Console(quiet=True))["mine"]
+    assert found.shape == (len(results.METRICS), 2, 3)
+    envs = Heli3DOFVectorEnv(3, "lab", start_spread_deg=results.START_SPREAD_DEG)
+    assert_array_equal(
+        found[:, 1], results.measured(envs, make_policy(f"{seeds[1]}.json", envs.reference_of(0)), args.seed)
+    )
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ({"methods": (Path("nowhere"),)}, "nowhere"),
+        ({"methods": (RESULTS / "lab/residual", RESULTS / "rigid/residual")}, "two are called 'residual'"),
+        ({"episodes": 1}, "episodes"),
+        ({"against": "zero"}, "against"),
+        ({"oracle": -1}, "oracle"),
+        ({"plant": "x"}, "plant"),
+        ({"plant": "nominal", "oracle": 1}, "plant: the lag"),
+        ({"policies": ("feedforward+tvlqr@PLANT", "foo")}, "name = 'foo'"),
+    ],
+)
+def test_bad_settings_are_named_before_anything_is_flown(tmp_path, monkeypatch, change, name):
+    monkeypatch.setattr(results, "fly_many", lambda *args: pytest.fail("flown"))
+    with pytest.raises(ValueError, match=name):
+        compare(Args(out=tmp_path, **change), Console(quiet=True))
+
+
+def test_a_draw_without_optimum_is_left_out_of_the_oracles_row_and_no_other(tmp_path, monkeypatch, capsys):
+    args = replace(SMALL, episodes=4, oracle=3, out=tmp_path)
+    asked = []
+
+    def policy(self, plant, x, u, control_period):
+        asked.append(plant)
+        if len(asked) == 2:
+            raise NoOptimum("no optimal voltages for this one")
+        return make_policy("kalman-lqr", find_reference("climb-7.5"))
+
+    monkeypatch.setattr(Oracle, "policy", policy)
+    found = compare(args, Console())
+    assert f"seed {args.seed + 1}, left out of the oracle's row: no optimal" in " ".join(
+        capsys.readouterr().out.split()
+    )
+    _, rows = table_of(args, found)
+    assert (rows["oracle"]["draws"], rows["feedforward+tvlqr"]["draws"]) == (2, 4)
+    kept = found["oracle"][:, :, [0, 2]]
+    assert np.isfinite(kept).all()
+    assert rows["oracle"]["travel"]["iqm"] == interquartile_mean(kept[0])
+    assert rows["oracle"]["travel improvement"] == improvement(kept[0], found["feedforward+tvlqr"][0][:, [0, 2]])
+    results.draw_profiles(tmp_path / "profiles.png", args, found)
+
+
+def test_without_any_optimum_the_oracle_has_no_row(tmp_path, monkeypatch):
+    def policy(*args):
+        raise NoOptimum("none")
+
+    monkeypatch.setattr(Oracle, "policy", policy)
+    args = replace(SMALL, episodes=2, oracle=1, out=tmp_path)
+    assert set(compare(args, Console(quiet=True))) == {"feedforward+tvlqr"}
+
+
+def test_a_solver_that_gives_up_says_so():
+    env = Heli3DOFEnv("lab", "climb-7.5", 0.05)
+    oracle = Oracle(env.plant, env.reference, env.control_period, env.voltage_limits, env.pitch_limit)
+    _, info = env.reset(seed=0)
+    with pytest.raises(NoOptimum, match=r"no optimal voltages for .*: Invalid_Number_Detected"):
+        oracle.policy(info["plant"], np.full(6, np.nan), env.reference.u[:, 0], env.control_period)
+
+
+@pytest.mark.parametrize("plant", ["lab", "rigid"])
+def test_the_oracle_flies_what_it_planned_and_no_policy_does_better(plant):
+    env = Heli3DOFEnv(plant, "climb-7.5", 0.05, start_spread_deg=5.0)
+    reference = env.reference
+    oracle = Oracle(env.plant, reference, env.control_period, env.voltage_limits, env.pitch_limit)
+    _, info = env.reset(seed=5)
+    policy = oracle.policy(info["plant"], info["state"], reference.u[:, 0], env.control_period)
+
+    def cost(flight):
+        degrees = np.degrees(flight.x[[0, 2], 1:] - oracle.x_ref[[0, 2], 1 : flight.x.shape[1]])
+        return (degrees**2).sum() + EFFORT * ((flight.u[:, :-1] - oracle.u_ref) ** 2).sum()
+
+    flight = fly(env, policy, seed=5)
+    assert cost(flight) == pytest.approx(float(oracle.found["f"]), rel=1e-6)  # its model is the environment's
+    for name in ("feedforward+tvlqr", "kalman-lqr"):
+        assert cost(flight) < cost(fly(env, make_policy(name, reference, env.control_period), seed=5))
+
+
+def test_the_oracle_refuses_plants_that_its_problem_leaves_out():
+    env = Heli3DOFEnv("lab", "climb-7.5")
+    with pytest.raises(ValueError, match="disturbances"):
+        Oracle(Plant(disturbances=(Push("pitch", 1.0, 1.0),)), env.reference, 0.02, (0.0, 12.0), 1.4)
