@@ -5,7 +5,7 @@ from functools import cache
 from typing import Any
 
 
-def kept(function: Any, fast: bool = False) -> Callable:
+def jit_cached(function: Any, fast: bool = False) -> Callable:
     """A function and all that it calls, compiled for Python; if fast, what meets a NaN need not become one."""
     return compiler(fast).entry(function)
 

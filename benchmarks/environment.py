@@ -184,9 +184,9 @@ def floor_of_many(n: int) -> str:
 def share_of_ppo(n: int = 256, rollout: int = 32) -> str:
     """How much of Stable-Baselines3's PPO is spent in the environment."""
     import torch
-    from heli_gym.train.vec_env import HeliVecEnv
     from stable_baselines3 import PPO
 
+    from heli_gym.train.vec_env import HeliVecEnv
     from heli_gym.vector_env import Heli3DOFVectorEnv
 
     torch.set_num_threads(1)

@@ -15,6 +15,13 @@ from typing import Any
 import casadi as ca
 import numpy as np
 import tyro
+from numba import njit
+from rich.console import Console
+from rich.table import Table
+from scipy.integrate import odeint, solve_bvp, solve_ivp
+from scipy.optimize import fsolve
+
+from heli_gym import Maneuver, Trajectory, dynamics, linearise, thrust
 from heli_gym.baselines import ManeuverSampler, plan, riccati_gains
 from heli_gym.baselines.paper.boundary_value import COARSE, MAX_NODES, ConstrainedProblem, Solution, solve_unconstrained
 from heli_gym.baselines.paper.normal_form import thrust_bounds
@@ -23,13 +30,6 @@ from heli_gym.baselines.paper.shooting import shooter, solve_by_shooting, solve_
 from heli_gym.baselines.paper.tvlqr import Q, R, integrate_stiff, stationary_cost
 from heli_gym.baselines.planning import spline
 from heli_gym.baselines.planning.collocation import collocate
-from numba import njit
-from rich.console import Console
-from rich.table import Table
-from scipy.integrate import odeint, solve_bvp, solve_ivp
-from scipy.optimize import fsolve
-
-from heli_gym import Maneuver, Trajectory, dynamics, linearise, thrust
 from heli_gym.model import hover_input, virtual_input
 
 
@@ -128,7 +128,7 @@ def planning(args: Args) -> dict[str, float]:
     shoot = shooter(problem, 400)
 
     def end(p: np.ndarray) -> np.ndarray:
-        return shoot(np.zeros((6, 2)), p).missed[0]
+        return shoot(np.zeros((6, 2)), p).defects[0]
 
     return {
         "plan(method='spline'), sampled and checked": median(lambda: plan(maneuver, "spline"), args),

@@ -14,21 +14,21 @@ from numpy.typing import ArrayLike
 from heli_gym import task
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
-from heli_gym.rendering import Renderer, Scene
+from heli_gym.rendering import Renderer, RenderState
 from heli_gym.simulation.kernels import (
     ARRIVED,
-    ASKED,
+    COMMAND,
     CRASHED,
+    ENDED_OFF_GOAL,
     FLYING,
     LAST,
     MEASURED,
-    MISSED,
+    N_OUTPUTS_SENSED,
     NOT_FINITE,
     OBSERVED,
+    REFERENCE_ROW,
     STEP,
-    TABLE,
     TIME,
-    TOLD_AND_MEASURED,
     X,
     one_step,
 )
@@ -36,7 +36,11 @@ from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
 
 ONLY = np.zeros(1, int)  # the only helicopter of its simulation
-STATE, MEASUREMENT, VOLTAGE = slice(X, X + 6), slice(MEASURED, MEASURED + 6), slice(ASKED, ASKED + 2)  # of what is told
+STATE, MEASUREMENT, VOLTAGE = (
+    slice(X, X + 6),
+    slice(MEASURED, MEASURED + 6),
+    slice(COMMAND, COMMAND + 2),
+)  # of what is told
 REFERENCES = Path(__file__).parent / "references"
 LONGEST = 3600.0  # s, of what a sampler draws
 PERIODS = (1e-4, 0.05)  # s; up to the latter, one Runge-Kutta step through (3) is accurate to 1e-7
@@ -217,9 +221,9 @@ class Heli3DOFEnv(gym.Env):
 
         self.random_start = bool(random_start)
         self.own_simulation = self.simulation = self._simulation(self.plant)
-        _, shown = self.simulation.shown[0]
+        _, feature_bound = self.simulation.feature_bound[0]
         self.bound = task.observation_bound(
-            shown, self.plant, self.voltage_limits, self.pitch_limit, self.control_period
+            feature_bound, self.plant, self.voltage_limits, self.pitch_limit, self.control_period
         ).astype(np.float32)
         self.observation_space = Box(-self.bound, self.bound, dtype=np.float32)
         self.action_space = Box(-1.0, 1.0, (2,), dtype=np.float32)
@@ -237,20 +241,20 @@ class Heli3DOFEnv(gym.Env):
         plant = find_plant(options.get("plant", self.plant))
         simulation = self.own_simulation if plant is self.plant else self._simulation(plant)
         reference = simulation.draw(0, self.np_random)
-        simulation.begin(ONLY, self._start(options, reference))
+        simulation.reset(ONLY, self._start(options, reference))
         self.drawn_plant = simulation.drawn_plant(0)
         self.simulation, self.memory = simulation, simulation.memory
         self.step_one = one_step(simulation.rhs, simulation.fly)
         self.over = False
-        observation, told = simulation.arrays()
-        simulation.tell(ONLY, observation, told)
+        observation, outputs = simulation.arrays()
+        simulation.write_outputs(ONLY, observation, outputs)
         if self.render_mode == "human":
             self.render()
-        state = told[STATE, 0]
+        state = outputs[STATE, 0]
         return observation[0], {
             "state": state,
-            "measurement": told[MEASUREMENT, 0] if simulation.told == TOLD_AND_MEASURED else state.copy(),
-            "time": float(told[TIME, 0]),
+            "measurement": outputs[MEASUREMENT, 0] if simulation.outputs == N_OUTPUTS_SENSED else state.copy(),
+            "time": float(outputs[TIME, 0]),
             "plant": self.drawn_plant,
         }
 
@@ -259,20 +263,20 @@ class Heli3DOFEnv(gym.Env):
         if self.over:
             raise gym.error.ResetNeeded("the episode is over: call reset before step")
         # What takes time here is Python's handling of arrays, not the flight: look at benchmarks/ before adding one.
-        observation, told = np.empty(OBSERVED, np.float32), np.empty(TOLD_AND_MEASURED)
+        observation, outputs = np.empty(OBSERVED, np.float32), np.empty(N_OUTPUTS_SENSED)
         try:
             front, back = action.tolist()  # type: ignore[union-attr]
-            time, reward, cost, over = self.step_one(self.memory, front, back, observation, told)
+            time, reward, cost, over = self.step_one(self.memory, front, back, observation, outputs)
         except (AttributeError, TypeError, ValueError):  # no array of two numbers
-            time, reward, cost, over = self.step_one(self.memory, *two_numbers(action), observation, told)
+            time, reward, cost, over = self.step_one(self.memory, *two_numbers(action), observation, outputs)
         if over == NOT_FINITE:
             raise ValueError(f"action = {action!r}: two finite numbers are needed")
         info = {
-            "state": told[STATE],
-            "measurement": told[MEASUREMENT],
+            "state": outputs[STATE],
+            "measurement": outputs[MEASUREMENT],
             "time": time,
             "plant": self.drawn_plant,
-            "voltage": told[VOLTAGE],
+            "voltage": outputs[VOLTAGE],
             "cost": cost,
         }
         if over != FLYING:
@@ -280,7 +284,7 @@ class Heli3DOFEnv(gym.Env):
             info["is_success"] = over == ARRIVED
         if self.render_mode == "human":
             self.render()
-        return observation, reward, over == CRASHED, over >= MISSED, info
+        return observation, reward, over == CRASHED, over >= ENDED_OFF_GOAL, info
 
     @property
     def reference(self) -> Trajectory:
@@ -299,7 +303,7 @@ class Heli3DOFEnv(gym.Env):
             raise gym.error.ResetNeeded("there is nothing to draw yet: call reset before render")
         if self.renderer is None:
             self.renderer = Renderer()
-        scene = scene_of(self.simulation, 0)
+        scene = render_state(self.simulation, 0)
         if self.render_mode == "rgb_array":
             return self.renderer.frame(scene)
         self.renderer.show(scene)
@@ -337,13 +341,13 @@ class Heli3DOFEnv(gym.Env):
         return np.array([state])
 
 
-def scene_of(simulation: Simulation, j: int) -> Scene:
+def render_state(simulation: Simulation, j: int) -> RenderState:
     """What there is to draw of a helicopter of a simulation."""
-    step, last, first = (int(simulation.rows(row, 1)[0, j]) for row in (STEP, LAST, TABLE))
+    step, last, first = (int(simulation.rows(row, 1)[0, j]) for row in (STEP, LAST, REFERENCE_ROW))
     reference = simulation.reference_of(j)
-    return Scene(
+    return RenderState(
         state=tuple(simulation.rows(X, 6)[:, j].tolist()),
-        voltage=tuple(simulation.rows(ASKED, 2)[:, j].tolist()),
+        voltage=tuple(simulation.rows(COMMAND, 2)[:, j].tolist()),
         reference=tuple(simulation.table[first + step, :6].tolist()),
         nominal_voltage=tuple(simulation.table[first + max(step - 1, 0), 6:8].tolist()),
         time=step * simulation.control_period,

@@ -89,13 +89,13 @@ def rk4_step(derivative: Callable, x: Any, inputs: tuple, dt: Any, *constants: A
     """
     start, middle, end = inputs
     d1 = derivative(x, start, *constants)
-    d2 = derivative(moved(x, dt / 2.0, d1), middle, *constants)
-    d3 = derivative(moved(x, dt / 2.0, d2), middle, *constants)
-    d4 = derivative(moved(x, dt, d3), end, *constants)
-    x = moved(moved(x, dt / 6.0, d1), dt / 3.0, d2)
-    return moved(moved(x, dt / 3.0, d3), dt / 6.0, d4)
+    d2 = derivative(axpy(x, dt / 2.0, d1), middle, *constants)
+    d3 = derivative(axpy(x, dt / 2.0, d2), middle, *constants)
+    d4 = derivative(axpy(x, dt, d3), end, *constants)
+    x = axpy(axpy(x, dt / 6.0, d1), dt / 3.0, d2)
+    return axpy(axpy(x, dt / 3.0, d3), dt / 6.0, d4)
 
 
-def moved(x: Any, h: Any, d: Any) -> tuple:
+def axpy(x: Any, h: Any, d: Any) -> tuple:
     """x + h d, component by component (6, ...)."""
     return x[0] + h * d[0], x[1] + h * d[1], x[2] + h * d[2], x[3] + h * d[3], x[4] + h * d[4], x[5] + h * d[5]

@@ -76,7 +76,7 @@ def alternatives(value: Any) -> list:
     """The value once for each combination of the options in it, however deep."""
     if isinstance(value, OneOf):
         return [alternative for option in value.options for alternative in alternatives(option)]
-    return [rebuilt(value, parts) for parts in itertools.product(*map(alternatives, parts_of(value)))]
+    return [with_parts(value, parts) for parts in itertools.product(*map(alternatives, parts_of(value)))]
 
 
 def count_ranges(value: Any) -> int:
@@ -84,11 +84,11 @@ def count_ranges(value: Any) -> int:
     return 1 if isinstance(value, Uniform) else sum(map(count_ranges, parts_of(value)))
 
 
-def drawn(value: Any, uniforms: Iterator[float]) -> Any:
+def at_uniforms(value: Any, uniforms: Iterator[float]) -> Any:
     """The value with every range in it, however deep, replaced by its point at the next of the uniforms in [0, 1)."""
     if isinstance(value, Uniform):
         return value.low + (value.high - value.low) * next(uniforms)
-    return rebuilt(value, [drawn(part, uniforms) for part in parts_of(value)])
+    return with_parts(value, [at_uniforms(part, uniforms) for part in parts_of(value)])
 
 
 def parts_of(value: Any) -> list:
@@ -98,7 +98,7 @@ def parts_of(value: Any) -> list:
     return list(value) if isinstance(value, tuple) else []
 
 
-def rebuilt(value: Any, parts: Sequence) -> Any:
+def with_parts(value: Any, parts: Sequence) -> Any:
     """The value with other parts."""
     if is_dataclass(value) and not isinstance(value, Uniform):
         return replace(value, **{f.name: part for f, part in zip(fields(value), parts)})  # type: ignore[type-var]
@@ -255,7 +255,7 @@ class Plant:
         """The plant out of the ranges at these numbers (self.uniforms,) in [0, 1)."""
         if not self.uniforms:
             return self
-        return drawn(self.alternatives[int(uniforms[0] * len(self.alternatives))], iter(uniforms[1:].tolist()))
+        return at_uniforms(self.alternatives[int(uniforms[0] * len(self.alternatives))], iter(uniforms[1:].tolist()))
 
     def draw(self, rng: np.random.Generator) -> "Plant":
         """One plant out of the ranges."""
@@ -278,12 +278,14 @@ class Plant:
         return self.rig is None and self.rotors.lag == 0.0 and self.friction == Friction() and not self.disturbances
 
 
-def resistance(rate: Any, viscous: Any, coulomb: Any) -> Any:
+def friction(rate: Any, viscous: Any, coulomb: Any) -> Any:
     """Deceleration in rad/s² by friction at a rate in rad/s."""
     return viscous * rate + coulomb * rate / (rate * rate + COULOMB_RATE * COULOMB_RATE) ** 0.5
 
 
-def hindered(x: Any, dx: tuple, viscous: Any, coulomb: Any, torques: Any, cos: Any = np.cos) -> tuple:
+def with_friction_and_disturbances(
+    x: Any, dx: tuple, viscous: Any, coulomb: Any, torques: Any, cos: Any = np.cos
+) -> tuple:
     """The time derivative dx (6, ...) of a model's state x, with friction (3, ...) and disturbances.
 
     The torques (4, ...) are accelerations in rad/s² of travel, elevation and pitch, and a change of a2 in (3).
@@ -292,15 +294,15 @@ def hindered(x: Any, dx: tuple, viscous: Any, coulomb: Any, torques: Any, cos: A
     on_travel, on_elevation, on_pitch, a2_change = torques
     return (
         dq1,
-        ddq1 + on_travel - resistance(dq1, viscous[0], coulomb[0]),
+        ddq1 + on_travel - friction(dq1, viscous[0], coulomb[0]),
         dq2,
-        ddq2 + on_elevation + a2_change * cos(x[2]) - resistance(dq2, viscous[1], coulomb[1]),
+        ddq2 + on_elevation + a2_change * cos(x[2]) - friction(dq2, viscous[1], coulomb[1]),
         dq3,
-        ddq3 + on_pitch - resistance(dq3, viscous[2], coulomb[2]),
+        ddq3 + on_pitch - friction(dq3, viscous[2], coulomb[2]),
     )
 
 
-def encoded(angle: Any, counts: Any, floor: Any = np.floor) -> Any:
+def quantise(angle: Any, counts: Any, floor: Any = np.floor) -> Any:
     """The angle in rad that an encoder of so many counts per revolution tells."""
     count = TURN / counts
     return count * floor(angle / count + 0.5)

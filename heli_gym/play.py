@@ -131,7 +131,7 @@ def main(arguments: list[str] | None = None) -> None:
         env: gym.Env = Heli3DOFEnv(args.plant, args.reference, render_mode="rgb_array")
         fly(Assist(env) if args.assist else env, args.seed)
     except (ValueError, gym.error.DependencyNotInstalled) as error:
-        sys.exit(f"heli_gym.play: {error}")
+        sys.exit(f"heli-play: {error}")
 
 
 def fly(env: gym.Env, seed: int | None = None) -> None:

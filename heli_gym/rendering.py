@@ -1,6 +1,6 @@
 """The helicopter as a picture: the rig in perspective, its reference as a ghost, and gauges.
 
-`Renderer` draws a `Scene` of plain values, so that it shows any flight, with an environment or without one. The
+`Renderer` draws a `RenderState` of plain values, so that it shows any flight, with an environment or without one. The
 geometry above it is pure. World coordinates have the pivot of the arm at the origin and z up, in m.
 """
 
@@ -34,7 +34,7 @@ WAY = (86, 180, 233)
 SHADOW, GHOSTLY, WAY_FLOWN = (40, 55, 70, 38), (*GHOST, 120), (*WAY, 110)  # with their opacity, of 255
 
 
-class Scene(NamedTuple):
+class RenderState(NamedTuple):
     """All that a picture shows of one instant, in rad, rad/s, V and s."""
 
     state: Sequence[float]  # (6,), the order of (44)
@@ -311,13 +311,13 @@ class Renderer:
         self.clock: Any = None
         self.shown = math.inf
 
-    def frame(self, scene: Scene) -> np.ndarray:
+    def frame(self, scene: RenderState) -> np.ndarray:
         """The picture (H, W, 3), uint8: the same for the same scene."""
         width, height = self.size
         pixels = self.pygame.image.tobytes(self._picture(scene), "RGB")
         return np.frombuffer(pixels, dtype=np.uint8).reshape(height, width, 3).copy()
 
-    def show(self, scene: Scene) -> None:
+    def show(self, scene: RenderState) -> None:
         """Draw in a window, which opens at the first call, and wait until the scene's time has passed.
 
         Scenes that follow faster than the eye are left out.
@@ -344,7 +344,7 @@ class Renderer:
             self.window = None
             self.pygame.display.quit()
 
-    def _picture(self, scene: Scene) -> Any:
+    def _picture(self, scene: RenderState) -> Any:
         still = scene.limits, scene.voltage_limits, scene.pitch_limit
         if self.still != still:
             self.background, self.still = self._background(scene), still
@@ -358,7 +358,7 @@ class Renderer:
         self._words(scene)
         return self.pygame.transform.smoothscale(self.canvas, self.size)
 
-    def _background(self, scene: Scene) -> Any:
+    def _background(self, scene: RenderState) -> Any:
         """The floor, and the faces of the gauges."""
         canvas = self.canvas.copy()
         canvas.fill(SKY)
@@ -388,7 +388,7 @@ class Renderer:
             self._bar(canvas, top, BAR_HEIGHT, scene.limits.u, scene, WINDOW)
         return canvas
 
-    def _behind(self, scene: Scene) -> None:
+    def _behind(self, scene: RenderState) -> None:
         """The way flown, the shadow and the ghost, translucent, and behind the rig so that it stays clear."""
         self.overlay.fill((0, 0, 0, 0), self.touched)
         areas = [self._floor(self.overlay, sector(RIG.l_h - 0.02, RIG.l_h + 0.02, *flown(scene), 90), WAY_FLOWN)]
@@ -397,7 +397,7 @@ class Renderer:
         self.touched = areas[0].unionall(areas[1:])
         self.canvas.blit(self.overlay, self.touched, self.touched)
 
-    def _rig(self, scene: Scene) -> None:
+    def _rig(self, scene: RenderState) -> None:
         """The rig, the blur of its rotors as strong as their voltages, and their thrusts as arrows."""
         at = pose(scene.state)
         flats: list[tuple[np.ndarray, tuple]] = []
@@ -435,7 +435,7 @@ class Renderer:
                 painted.append(self.pygame.draw.polygon(surface, colour + opacity, outline))
         return painted
 
-    def _needles(self, scene: Scene) -> None:
+    def _needles(self, scene: RenderState) -> None:
         """Travel from above, elevation from the side and pitch from the pivot outwards: scene and reference."""
         ring = sector(DIAL - 4.0, DIAL, *flown(scene), 90)
         self._shape(self.canvas, TRAVEL_DIAL + ring * [[1.0], [-1.0]], WAY)
@@ -455,7 +455,7 @@ class Renderer:
         for dial in (TRAVEL_DIAL, ELEVATION_DIAL):
             self._shape(self.canvas, dial + circle(3.5, 24), INK)
 
-    def _bars(self, scene: Scene) -> None:
+    def _bars(self, scene: RenderState) -> None:
         """The voltages, red outside the plan's window, with marks at the nominal ones; and the time."""
         low = scene.voltage_limits[0]
         for top, u, nominal, colour in zip(BARS, scene.voltage, scene.nominal_voltage, (FRONT, BACK)):
@@ -466,7 +466,7 @@ class Renderer:
         done = WIDTH * share(scene.time, (0.0, scene.duration))
         self._shape(self.canvas, rectangle(0.0, done, VIEW, VIEW + 3.0), INK)
 
-    def _words(self, scene: Scene) -> None:
+    def _words(self, scene: RenderState) -> None:
         angles = (scene.state[0], scene.state[2], scene.state[4])
         for dial, name, angle in zip(
             (TRAVEL_DIAL, ELEVATION_DIAL, PITCH_DIAL), ("travel", "elevation", "pitch"), angles
@@ -499,7 +499,7 @@ class Renderer:
         self.canvas.blit(words, (round(at[0] * self.scale - anchor * words.get_width()), round(at[1] * self.scale)))
 
     def _bar(
-        self, canvas: Any, top: float, height: float, window: tuple[float, float], scene: Scene, colour: Colour
+        self, canvas: Any, top: float, height: float, window: tuple[float, float], scene: RenderState, colour: Colour
     ) -> None:
         left, right = (BAR_LEFT + BAR_LENGTH * share(u, scene.voltage_limits) for u in window)
         self._shape(canvas, rectangle(left, right, top, top + height), colour)
@@ -514,7 +514,7 @@ class Renderer:
         return self.pygame.draw.polygon(surface, colour, project(raised, self.camera)[0].T.tolist())
 
 
-def flown(scene: Scene) -> tuple[float, float]:
+def flown(scene: RenderState) -> tuple[float, float]:
     """From where to where the travel has gone in rad, one turn at most."""
     start, now = scene.travel_start, scene.state[0]
     return start, start + min(max(now - start, -2.0 * math.pi), 2.0 * math.pi)

@@ -102,26 +102,26 @@ def reference_features(reference: Trajectory, control_period: float) -> np.ndarr
     return np.concatenate((*seen, np.maximum(reference.duration - t, 0.0)[None]))
 
 
-class Shown(NamedTuple):
+class FeatureBounds(NamedTuple):
     """What references show at most, in absolute values."""
 
     start: np.ndarray  # (6,) states at the start
     features: np.ndarray  # (8 len(PREVIEW) + 1,)
 
 
-def shown_by(features: np.ndarray) -> Shown:
+def feature_bounds(features: np.ndarray) -> FeatureBounds:
     """What a reference with these features (8 len(PREVIEW) + 1, K + 1) shows."""
     features = np.abs(features)
-    return Shown(features[:6, 0], features.max(axis=1))
+    return FeatureBounds(features[:6, 0], features.max(axis=1))
 
 
-def shown_by_any(duration: float, voltage_limits: tuple[float, float], pitch_limit: float) -> Shown:
+def sampler_bounds(duration: float, voltage_limits: tuple[float, float], pitch_limit: float) -> FeatureBounds:
     """What references of at most this duration in s show that obey (3) from a start within `FARTHEST_DRAWN`."""
     start = np.array(FARTHEST_DRAWN)
     u_max = np.abs(voltage_limits).max()
-    state = reached(start, greatest_acceleration(HelicopterParameters(), u_max), duration)
+    state = reachable_bound(start, greatest_acceleration(HelicopterParameters(), u_max), duration)
     state[4] = pitch_limit
-    return Shown(start, np.array([*state, u_max, u_max] * len(PREVIEW) + [duration]))
+    return FeatureBounds(start, np.array([*state, u_max, u_max] * len(PREVIEW) + [duration]))
 
 
 def greatest_acceleration(p: HelicopterParameters, u_max: float) -> np.ndarray:
@@ -149,7 +149,7 @@ def greatest_disturbance(disturbances: Sequence[Disturbance]) -> np.ndarray:
     return np.array(list(acceleration.values()))
 
 
-def reached(start: np.ndarray, acceleration: np.ndarray, duration: float) -> np.ndarray:
+def reachable_bound(start: np.ndarray, acceleration: np.ndarray, duration: float) -> np.ndarray:
     """States (6,) that cannot be exceeded in a duration in s, from a start (6,) at accelerations (3,)."""
     rate = start[1::2] + acceleration * duration
     angle = start[0::2] + (start[1::2] + 0.5 * acceleration * duration) * duration
@@ -157,7 +157,11 @@ def reached(start: np.ndarray, acceleration: np.ndarray, duration: float) -> np.
 
 
 def observation_bound(
-    shown: Shown, plant: Plant, voltage_limits: tuple[float, float], pitch_limit: float, control_period: float
+    feature_bound: FeatureBounds,
+    plant: Plant,
+    voltage_limits: tuple[float, float],
+    pitch_limit: float,
+    control_period: float,
 ) -> np.ndarray:
     """Bounds (8 + features,) on the absolute value of the observation that no flight of the plant can exceed.
 
@@ -172,7 +176,9 @@ def observation_bound(
         for q in plant.alternatives
     ]
     acceleration = np.max(accelerations, axis=0)
-    duration = control_period * (control_steps(shown.features[-1], control_period) + 1)
-    state = reached(shown.start + FARTHEST_START, acceleration, duration)
+    duration = control_period * (control_steps(feature_bound.features[-1], control_period) + 1)
+    state = reachable_bound(feature_bound.start + FARTHEST_START, acceleration, duration)
     state[4] = pitch_limit + state[5] * control_period
-    return np.concatenate((state + shown.features[:6], np.maximum(u_max, shown.features[6:8]), shown.features))
+    return np.concatenate(
+        (state + feature_bound.features[:6], np.maximum(u_max, feature_bound.features[6:8]), feature_bound.features)
+    )

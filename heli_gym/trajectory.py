@@ -159,7 +159,7 @@ class Sampler(Protocol):
         """The reference of one flight."""
 
 
-def joined(first: Trajectory, second: Trajectory) -> Trajectory:
+def concatenate(first: Trajectory, second: Trajectory) -> Trajectory:
     """The one trajectory, then the other, which starts where the first ends; the limits are the first's.
 
     Raises ValueError if the second starts in another state, or if they were planned under different limits.

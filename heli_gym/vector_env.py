@@ -13,12 +13,12 @@ from gymnasium.vector.utils import batch_space
 from numpy.typing import ArrayLike
 
 from heli_gym import task
-from heli_gym.env import Heli3DOFEnv, find_reference, scene_of
+from heli_gym.env import Heli3DOFEnv, find_reference, render_state
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer
 from heli_gym.simulation.kernels import (
-    ASKED,
+    COMMAND,
     COST,
     MEASURED,
     NOT_FINITE,
@@ -80,8 +80,8 @@ class Heli3DOFVectorEnv(VectorEnv):
         if not isinstance(autoreset_mode, AutoresetMode) and autoreset_mode not in modes:
             raise ValueError(f"autoreset_mode = {autoreset_mode!r}: one of {modes} is needed")
         self.autoreset_mode = AutoresetMode(autoreset_mode)
-        plants = one_each("plant", plant, num_envs, find_plant)
-        references = one_each("reference", reference, num_envs, find_reference)
+        plants = broadcast_to_envs("plant", plant, num_envs, find_plant)
+        references = broadcast_to_envs("reference", reference, num_envs, find_reference)
 
         # One environment for each combination checks the arguments and knows the bounds.
         combinations = {(id(p), id(r)): (p, r) for p, r in zip(plants, references)}
@@ -158,16 +158,16 @@ class Heli3DOFVectorEnv(VectorEnv):
             simulation = self.own_simulation if plant is None else self._simulation([find_plant(plant)] * self.num_envs)
         starts = [simulation.draw(i, self.generators[i]).x[:, 0] for i in helicopters.tolist()]
         states = self._states(options.get("state"), helicopters, np.array(starts))
-        simulation.begin(helicopters, states, times)
+        simulation.reset(helicopters, states, times)
         self.simulation = simulation
         if not self.has_begun or mask.all():
             self.over = np.zeros(self.num_envs, bool)
             self.has_begun = True
-        observation, told = self.simulation.arrays()
-        self.simulation.tell(self.everyone, observation, told)
+        observation, outputs = self.simulation.arrays()
+        self.simulation.write_outputs(self.everyone, observation, outputs)
         self.over[helicopters] = False
         self.is_waiting = bool(self.over.any())
-        info = self._info(told, mask.copy())
+        info = self._info(outputs, mask.copy())
         info["plant"], info["_plant"] = np.full(self.num_envs, None, object), mask.copy()
         for i in helicopters.tolist():
             info["plant"][i] = self.plant_of(i)
@@ -184,7 +184,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         mode, waiting = self.autoreset_mode, self.over
         if mode is AutoresetMode.DISABLED and self.is_waiting:
             raise gym.error.ResetNeeded(f"the episodes {np.flatnonzero(waiting)} are over: reset them before step")
-        count, observation, told = self.simulation.step(actions)
+        count, observation, outputs = self.simulation.step(actions)
         if count == NOT_FINITE:
             bad = np.flatnonzero(~np.isfinite(actions.astype(self.dtype)).all(axis=1))
             raise ValueError(f"actions[{bad[0]}] = {actions[bad[0]]}: two finite numbers are needed")
@@ -192,20 +192,20 @@ class Heli3DOFVectorEnv(VectorEnv):
         flown = self.all
         if mode is AutoresetMode.NEXT_STEP and self.is_waiting:
             flown = ~waiting
-            self._begin(np.flatnonzero(waiting), observation, told)
-        rewards = np.asarray(told[REWARD], float)
+            self._begin(np.flatnonzero(waiting), observation, outputs)
+        rewards = np.asarray(outputs[REWARD], float)
         if count:
-            terminated, truncated = told[TERMINATED] > 0.0, told[TRUNCATED] > 0.0
+            terminated, truncated = outputs[TERMINATED] > 0.0, outputs[TRUNCATED] > 0.0
             self.over = terminated | truncated
             rewards = rewards.copy()  # the next flight may start before this is returned
         else:
             terminated, truncated, self.over = np.zeros((3, self.num_envs), bool)
-        info = self._info(told, self.all)
-        info["voltage"], info["cost"] = told[ASKED : ASKED + 2].T, told[COST]
+        info = self._info(outputs, self.all)
+        info["voltage"], info["cost"] = outputs[COMMAND : COMMAND + 2].T, outputs[COST]
         info["_voltage"] = info["_cost"] = flown
         self.is_waiting = count > 0 and bool(self.over.any())
         if self.is_waiting:
-            self._end(info, observation, told)
+            self._end(info, observation, outputs)
         return observation, rewards, terminated, truncated, info
 
     def reference_of(self, i: int) -> Trajectory:
@@ -227,7 +227,7 @@ class Heli3DOFVectorEnv(VectorEnv):
             raise gym.error.ResetNeeded("there is nothing to draw yet: call reset before render")
         if self.renderer is None:
             self.renderer = Renderer()
-        return tuple(self.renderer.frame(scene_of(self.simulation, j)) for j in range(self.num_envs))
+        return tuple(self.renderer.frame(render_state(self.simulation, j)) for j in range(self.num_envs))
 
     def close_extras(self, **kwargs: Any) -> None:
         """Frees what drawing took."""
@@ -265,29 +265,29 @@ class Heli3DOFVectorEnv(VectorEnv):
             )
         return states
 
-    def _begin(self, helicopters: np.ndarray, observation: np.ndarray, told: np.ndarray) -> None:
+    def _begin(self, helicopters: np.ndarray, observation: np.ndarray, outputs: np.ndarray) -> None:
         """New flights of these helicopters (n,), and what they observe and tell at first."""
         for i in helicopters.tolist():
             self.simulation.draw(i, self.generators[i])
-        self.simulation.begin(helicopters)
-        self.simulation.tell(helicopters, observation, told)
-        told[ASKED : ASKED + 2, helicopters] = 0.0  # nobody has asked for anything
+        self.simulation.reset(helicopters)
+        self.simulation.write_outputs(helicopters, observation, outputs)
+        outputs[COMMAND : COMMAND + 2, helicopters] = 0.0  # nobody has asked for anything
 
-    def _info(self, told: np.ndarray, mask: np.ndarray) -> dict[str, Any]:
-        state = told[X : X + 6].T
+    def _info(self, outputs: np.ndarray, mask: np.ndarray) -> dict[str, Any]:
+        state = outputs[X : X + 6].T
         return {
             "state": state,
             "_state": mask,
-            "measurement": told[MEASURED : MEASURED + 6].T if len(told) > MEASURED else state.copy(order="K"),
+            "measurement": outputs[MEASURED : MEASURED + 6].T if len(outputs) > MEASURED else state.copy(order="K"),
             "_measurement": mask,
-            "time": told[TIME],
+            "time": outputs[TIME],
             "_time": mask,
         }
 
-    def _end(self, info: dict[str, Any], observation: np.ndarray, told: np.ndarray) -> None:
+    def _end(self, info: dict[str, Any], observation: np.ndarray, outputs: np.ndarray) -> None:
         """Tells of flights that are over, and starts the next ones where that is the mode."""
         over, ended = self.over.copy(), np.flatnonzero(self.over)
-        info["is_success"], info["_is_success"] = told[SUCCEEDED] > 0.0, over
+        info["is_success"], info["_is_success"] = outputs[SUCCEEDED] > 0.0, over
         if self.autoreset_mode is not AutoresetMode.SAME_STEP:
             return
         final: dict[str, Any] = {}
@@ -299,13 +299,13 @@ class Heli3DOFVectorEnv(VectorEnv):
         info["final_obs"], info["_final_obs"] = np.full(self.num_envs, None, object), over
         for i in ended:
             info["final_obs"][i] = observation[i].copy()
-        self._begin(ended, observation, told)
-        info.update(self._info(told, self.all))
+        self._begin(ended, observation, outputs)
+        info.update(self._info(outputs, self.all))
         info["_voltage"] = info["_cost"] = ~over
         self.over, self.is_waiting = np.zeros(self.num_envs, bool), False
 
 
-def one_each(name: str, value: Any, count: int, find: Callable) -> list:
+def broadcast_to_envs(name: str, value: Any, count: int, find: Callable) -> list:
     """What `find` finds for each helicopter, given one value for all or a sequence of one each."""
     values = value if isinstance(value, list | tuple) else [value] * count
     if len(values) != count:

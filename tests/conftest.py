@@ -5,10 +5,10 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads only slow 6x6 matrices down
 
 import pytest
-from heli_gym.baselines.planning.planner import plan, plan_unconstrained
 from hypothesis import settings
 
 from heli_gym import Maneuver, Trajectory
+from heli_gym.baselines.planning.planner import plan, plan_unconstrained
 
 settings.register_profile("heli", deadline=None, derandomize=True, database=None, max_examples=50)
 settings.load_profile("heli")

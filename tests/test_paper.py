@@ -9,6 +9,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from independent import TABLE_I, central_differences, equation_2, equation_3, inputs, jacobians
+from numpy.testing import assert_allclose
+from scipy.interpolate import CubicSpline
+from scipy.linalg import solve_continuous_are
+
+from heli_gym import HelicopterParameters, Limits, Maneuver, Trajectory, dynamics, linearise, thrust, voltage
 from heli_gym.baselines import plan, plan_unconstrained, riccati_gains
 from heli_gym.baselines.paper import normal_form, saturation, tvlqr
 from heli_gym.baselines.paper.boundary_value import (
@@ -19,12 +25,6 @@ from heli_gym.baselines.paper.boundary_value import (
     solve_unconstrained,
 )
 from heli_gym.baselines.planning.paper_method import solve_from_unconstrained
-from independent import TABLE_I, central_differences, equation_2, equation_3, inputs, jacobians
-from numpy.testing import assert_allclose
-from scipy.interpolate import CubicSpline
-from scipy.linalg import solve_continuous_are
-
-from heli_gym import HelicopterParameters, Limits, Maneuver, Trajectory, dynamics, linearise, thrust, voltage
 from heli_gym.model import STATE_NAMES, fan_thrusts, hover_input, virtual_input
 
 NOMINAL, PAPER = HelicopterParameters(), Maneuver()

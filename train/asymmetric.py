@@ -12,26 +12,30 @@ from stable_baselines3.common.torch_layers import MlpExtractor
 
 
 class AsymmetricNetworks(MlpExtractor):
-    """The hidden layers; those of the actor read the first `seen` features only."""
+    """The hidden layers; those of the actor read the first `n_actor_features` features only."""
 
-    def __init__(self, features: int, seen: int, *args: Any, **kwargs: Any) -> None:
+    def __init__(self, features: int, n_actor_features: int, *args: Any, **kwargs: Any) -> None:
         super().__init__(features, *args, **kwargs)
-        self.seen = seen
-        self.policy_net = MlpExtractor(seen, *args, **kwargs).policy_net
+        self.n_actor_features = n_actor_features
+        self.policy_net = MlpExtractor(n_actor_features, *args, **kwargs).policy_net
 
     def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
         """From features (N, features) to the last hidden layer."""
-        return self.policy_net(features[:, : self.seen])
+        return self.policy_net(features[:, : self.n_actor_features])
 
 
 class AsymmetricPolicy(ActorCriticPolicy):
-    """A policy for PPO, whose actor reads the first `seen` features of an observation only."""
+    """A policy for PPO, whose actor reads the first `n_actor_features` features of an observation only."""
 
-    def __init__(self, *args: Any, seen: int, **kwargs: Any) -> None:
-        self.seen = seen
+    def __init__(self, *args: Any, n_actor_features: int, **kwargs: Any) -> None:
+        self.n_actor_features = n_actor_features
         super().__init__(*args, **kwargs)
 
     def _build_mlp_extractor(self) -> None:
         self.mlp_extractor = AsymmetricNetworks(
-            self.features_dim, self.seen, net_arch=self.net_arch, activation_fn=self.activation_fn, device=self.device
+            self.features_dim,
+            self.n_actor_features,
+            net_arch=self.net_arch,
+            activation_fn=self.activation_fn,
+            device=self.device,
         )

@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 import onnx
 import tyro
-from heli_gym.baselines.control.residual import LEARNED, Network, load_learned
 from onnx import TensorProto, helper, numpy_helper
 
+from heli_gym.baselines.control.residual import LEARNED, Network, load_learned
 from heli_gym.storage import atomic_write
 
 OPSET, IR_VERSION = 17, 8  # of 2022, which runtimes have learned to read
@@ -34,7 +34,7 @@ def onnx_model(network: Network) -> onnx.ModelProto:
     for layer, (weight, bias) in enumerate(zip(network.weights, network.biases)):
         for name, array in (("weight", weight), ("bias", bias)):
             tensors.append(numpy_helper.from_array(array.astype(np.float32), f"{layer}.{name}"))
-        squashed = layer < last or network.squashes
+        squashed = layer < last or network.tanh_output
         result = f"{layer}.sum" if squashed or layer < last else "actions"
         nodes.append(helper.make_node("Gemm", [value, f"{layer}.weight", f"{layer}.bias"], [result], transB=1))
         value = result
@@ -59,7 +59,7 @@ def main(args: Args | None = None) -> None:
     try:
         _, network = load_learned(args.policy)
     except ValueError as error:
-        sys.exit(f"heli_gym.train.export_onnx: {error}")
+        sys.exit(f"heli-export-onnx: {error}")
     args.out.parent.mkdir(parents=True, exist_ok=True)
     with atomic_write(args.out) as file:
         file.write(onnx_model(network).SerializeToString())

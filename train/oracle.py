@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from heli_gym.baselines.control.policies import period
-from heli_gym.baselines.planning.collocation import import_casadi
 
+from heli_gym.baselines.control.policies import step_index
+from heli_gym.baselines.planning.collocation import import_casadi
 from heli_gym.model import dynamics, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import Plant, hindered
+from heli_gym.plant import Plant, with_friction_and_disturbances
 from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
 from heli_gym.simulation.simulation import SUBSTEP
 from heli_gym.task import control_grid
@@ -40,7 +40,7 @@ class Sequence:
         """Nothing to do: this policy remembers nothing."""
 
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
-        return self.u[:, period(t, self.control_period, self.u.shape[1] - 1)]
+        return self.u[:, step_index(t, self.control_period, self.u.shape[1] - 1)]
 
 
 class Oracle:
@@ -125,7 +125,7 @@ class Oracle:
                 dx = rigid_dynamics(x, v, RigidBodyParameters(*rest[3:]), ca.sin, ca.cos)
             else:
                 dx = dynamics(x, v, parameters, ca.sin, ca.cos)
-            return hindered(x, dx, rest[:3], (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0), ca.cos)
+            return with_friction_and_disturbances(x, dx, rest[:3], (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0), ca.cos)
 
         def turned_to(time: float) -> tuple:
             return tuple(asked + (speed - asked) * ca.exp(-time / lag) for asked, speed in zip(u, w))

@@ -14,19 +14,19 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import tyro
-from heli_gym.baselines.control.policies import Policy, make_policy
-from heli_gym.baselines.control.weights import TUNED
-from heli_gym.baselines.evaluation.metrics import flight_metrics
-from heli_gym.baselines.evaluation.rollout import fly, fly_many
-from heli_gym.train.oracle import NoOptimum, Oracle
 from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 from scipy.stats import trim_mean
 
+from heli_gym.baselines.control.policies import Policy, make_policy
+from heli_gym.baselines.control.weights import TUNED
+from heli_gym.baselines.evaluation.metrics import flight_metrics
+from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
+from heli_gym.train.oracle import NoOptimum, Oracle
 from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
@@ -74,7 +74,7 @@ def tuned_for(plant: str, name: str) -> str:
     return name.replace("@PLANT", f"@{plant}" if (TUNED / f"{plant}.json").is_file() else "")
 
 
-def measured(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> np.ndarray:
+def policy_metrics(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> np.ndarray:
     """The metrics (len(METRICS), draws) of a policy, in degrees, s and shares."""
     reference = envs.reference_of(0)
     flights = fly_many(envs, policy, seed)
@@ -88,7 +88,7 @@ def metrics_of(flight: Trajectory, reference: Trajectory, env: Heli3DOFEnv | Hel
     return *m.rms_error_deg, m.cost, m.episode_return, float(crashed), float(m.success)
 
 
-def floor(env: Heli3DOFEnv, oracle: Oracle, args: Args, console: Console) -> np.ndarray:
+def oracle_metrics(env: Heli3DOFEnv, oracle: Oracle, args: Args, console: Console) -> np.ndarray:
     """The metrics (len(METRICS), args.oracle) of the oracle on the first draws; NaN where it finds no optimum."""
     found = np.full((len(METRICS), args.oracle), np.nan)
     for k in track(range(args.oracle), "the floor", console=console):
@@ -171,9 +171,9 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         oracle = Oracle(single.plant, reference, single.control_period, single.voltage_limits, single.pitch_limit)
     results: dict[str, list[np.ndarray]] = {label: [] for label in names}
     for label, policy in track(jobs, "flying", console=console):
-        results[label].append(measured(envs, policy, args.seed))
+        results[label].append(policy_metrics(envs, policy, args.seed))
     if args.oracle:
-        least = floor(single, oracle, args, console)
+        least = oracle_metrics(single, oracle, args, console)
         if np.isfinite(least).any():
             results["oracle"] = [least]
     return {label: np.stack(group, axis=1) for label, group in results.items()}
@@ -251,7 +251,7 @@ def main() -> None:
     try:
         results = compare(args, console)
     except (ValueError, ImportError) as error:
-        sys.exit(f"heli_gym.train.results: {error}")
+        sys.exit(f"heli-results: {error}")
     table, rows = table_of(args, results)
     console.print(table)
     args.out.mkdir(parents=True, exist_ok=True)

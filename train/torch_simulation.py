@@ -9,19 +9,19 @@ from typing import Any, NamedTuple
 
 import torch
 
-from heli_gym.model import dynamics, moved, rk4_step, thrust, virtual_input
+from heli_gym.model import axpy, dynamics, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import encoded, hindered
+from heli_gym.plant import quantise, with_friction_and_disturbances
 from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
 from heli_gym.simulation import kernels
 from heli_gym.simulation.kernels import (
-    ASKED,
+    COMMAND,
     COULOMB,
     COUNTS,
     DELAY,
     DISTURBANCES,
     LAG,
-    LAG_KEPT,
+    LAG_DECAY,
     LAST,
     LIMITS,
     LOSS,
@@ -29,15 +29,15 @@ from heli_gym.simulation.kernels import (
     MOTOR,
     PARAMETERS,
     PITCH_LIMITS,
-    RATE_KEPT,
+    RATE_DECAY,
+    REFERENCE_ROW,
     RIG,
     ROTOR,
     SLEW,
     STEP,
-    TABLE,
     VISCOUS,
     Body,
-    Window,
+    LimitArrays,
     X,
 )
 from heli_gym.simulation.simulation import Simulation
@@ -55,7 +55,7 @@ class Fleet(NamedTuple):
     delay: torch.Tensor  # control periods
     counts: torch.Tensor  # (3, N), zero for exact sensors
     rate_kept: torch.Tensor
-    limits: Window
+    limits: LimitArrays
     last: torch.Tensor  # steps
     table: torch.Tensor  # (K, FEATURES), the references
     first: torch.Tensor  # row of the table
@@ -68,7 +68,7 @@ class State(NamedTuple):
 
     x: torch.Tensor  # (6, N), (44)
     measured: torch.Tensor  # (6, N)
-    asked: torch.Tensor  # (2, N), V
+    command: torch.Tensor  # (2, N), V
     pending: torch.Tensor  # (D, 2, N), V, on their way to the motors, the oldest first
     motor: torch.Tensor  # (2, N), V
     rotor: torch.Tensor  # (2, N), V
@@ -90,22 +90,22 @@ def equation_3(x: Any, v: Any, body: Body) -> tuple:
     return dynamics(x, v, body.parameters, torch.sin, torch.cos)
 
 
-def equation_3_hindered(x: Any, v: Any, body: Body) -> tuple:
+def equation_3_with_disturbances(x: Any, v: Any, body: Body) -> tuple:
     """(3) with friction."""
     dx = dynamics(x, v, body.parameters, torch.sin, torch.cos)
-    return hindered(x, dx, body.viscous, body.coulomb, body.torques, torch.cos)
+    return with_friction_and_disturbances(x, dx, body.viscous, body.coulomb, body.torques, torch.cos)
 
 
-def rigid_body_hindered(x: Any, v: Any, body: Body) -> tuple:
+def rigid_body_with_disturbances(x: Any, v: Any, body: Body) -> tuple:
     """The full rigid body with friction."""
     dx = rigid_dynamics(x, v, body.rig, torch.sin, torch.cos)
-    return hindered(x, dx, body.viscous, body.coulomb, body.torques, torch.cos)
+    return with_friction_and_disturbances(x, dx, body.viscous, body.coulomb, body.torques, torch.cos)
 
 
 DERIVATIVES = {
     kernels.equation_3: equation_3,
-    kernels.equation_3_hindered: equation_3_hindered,
-    kernels.rigid_body_hindered: rigid_body_hindered,
+    kernels.equation_3_with_disturbances: equation_3_with_disturbances,
+    kernels.rigid_body_with_disturbances: rigid_body_with_disturbances,
 }
 
 
@@ -132,16 +132,16 @@ def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Fleet, State]
     fleet = Fleet(
         body,
         1.0 - rows(LOSS, 1)[0],
-        rows(LAG_KEPT, 1)[0],
+        rows(LAG_DECAY, 1)[0],
         rows(LAG, 1)[0] > 0.0,
         rows(SLEW, 1)[0],
         rows(DELAY, 1)[0],
         rows(COUNTS, 3),
-        rows(RATE_KEPT, 1)[0],
-        Window(*rows(LIMITS, 2), *rows(PITCH_LIMITS, 2)),
+        rows(RATE_DECAY, 1)[0],
+        LimitArrays(*rows(LIMITS, 2), *rows(PITCH_LIMITS, 2)),
         rows(LAST, 1)[0].long(),
         torch.tensor(simulation.table, device=device),
-        rows(TABLE, 1)[0].long(),
+        rows(REFERENCE_ROW, 1)[0].long(),
         settings,
         DERIVATIVES[simulation.rhs],
     )
@@ -149,7 +149,7 @@ def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Fleet, State]
     state = State(
         rows(X, 6),
         rows(MEASURED, 6) if settings.is_sensed else rows(X, 6),
-        rows(ASKED, 2),
+        rows(COMMAND, 2),
         rows(DISTURBANCES, 2 * delay).reshape(delay, 2, len(simulation.plants)),
         rows(MOTOR, 2),
         rows(ROTOR, 2),
@@ -161,29 +161,29 @@ def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Fleet, State]
 def step(fleet: Fleet, state: State, actions: torch.Tensor) -> tuple[State, Outcome]:
     """A control step of all helicopters under actions (N, 2): `kernels.control_step` without its loops."""
     s = fleet.settings
-    asked = to_voltage(actions.T, (s.u_low, s.u_high)).clamp(s.u_low, s.u_high)
-    motor, pending = amplify(fleet, state, asked)
+    command = to_voltage(actions.T, (s.u_low, s.u_high)).clamp(s.u_low, s.u_high)
+    motor, pending = apply_amplifier(fleet, state, command)
     rotor = torch.where(fleet.has_lag, state.rotor, motor)
     x, h = tuple(state.x), s.period / s.substeps
     for _ in range(int(s.substeps)):
         x, rotor = integrate(fleet, x, motor, rotor, h)
 
-    at = place(fleet, state)
+    at = reference_row(fleet, state)
     now, then = fleet.table[at].T, fleet.table[at + 1].T
-    earned = s.period * reward(moved(x, -1.0, then[:6]), asked - now[6:8])
-    spent = s.period * cost(x[4], asked, fleet.limits)
+    earned = s.period * reward(axpy(x, -1.0, then[:6]), command - now[6:8])
+    spent = s.period * cost(x[4], command, fleet.limits)
     terminated = crashed(x[4], s.pitch_limit)
     truncated = (state.step + 1 == fleet.last) & ~terminated
-    state = State(torch.stack(x), measure(fleet, state, x), asked, pending, motor, rotor, state.step + 1)
+    state = State(torch.stack(x), measure(fleet, state, x), command, pending, motor, rotor, state.step + 1)
     return state, Outcome(observe(fleet, state), earned, spent, terminated, truncated)
 
 
-def amplify(fleet: Fleet, state: State, asked: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+def apply_amplifier(fleet: Fleet, state: State, command: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
     """The voltages (2, N) at the motors, and those still on their way."""
-    waiting = torch.cat((state.pending, asked[None]))
+    waiting = torch.cat((state.pending, command[None]))
     delay = len(state.pending)
     # the one that was asked for so many periods ago as this helicopter's delay
-    arriving = waiting[(delay - fleet.delay).long(), :, torch.arange(len(fleet.delay), device=asked.device)].T
+    arriving = waiting[(delay - fleet.delay).long(), :, torch.arange(len(fleet.delay), device=command.device)].T
     most = fleet.settings.period * fleet.slew
     return torch.minimum(torch.maximum(arriving, state.motor - most), state.motor + most), waiting[1:]
 
@@ -206,19 +206,19 @@ def measure(fleet: Fleet, state: State, x: tuple) -> torch.Tensor:
     rows = []
     for axis in range(3):
         exact = fleet.counts[axis] == 0.0
-        told = encoded(x[2 * axis], fleet.counts[axis].clamp(min=1.0), torch.floor)
+        outputs = quantise(x[2 * axis], fleet.counts[axis].clamp(min=1.0), torch.floor)
         last, rate = state.measured[2 * axis], state.measured[2 * axis + 1]
-        estimate = fleet.rate_kept * rate + (1.0 - fleet.rate_kept) * (told - last) / fleet.settings.period
-        rows += [torch.where(exact, x[2 * axis], told), torch.where(exact, x[2 * axis + 1], estimate)]
+        estimate = fleet.rate_kept * rate + (1.0 - fleet.rate_kept) * (outputs - last) / fleet.settings.period
+        rows += [torch.where(exact, x[2 * axis], outputs), torch.where(exact, x[2 * axis + 1], estimate)]
     return torch.stack(rows)
 
 
-def place(fleet: Fleet, state: State) -> torch.Tensor:
+def reference_row(fleet: Fleet, state: State) -> torch.Tensor:
     """Rows (N,) of the table where the references are now; beyond their ends, where they end."""
     return fleet.first + torch.minimum(state.step, fleet.last)
 
 
 def observe(fleet: Fleet, state: State) -> torch.Tensor:
     """Observations (N, 49), float32."""
-    features = fleet.table[place(fleet, state)]
-    return torch.cat((state.measured.T - features[:, :6], state.asked.T, features), dim=1).float()
+    features = fleet.table[reference_row(fleet, state)]
+    return torch.cat((state.measured.T - features[:, :6], state.command.T, features), dim=1).float()

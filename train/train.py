@@ -20,13 +20,6 @@ from typing import Any, Literal
 import numpy as np
 import torch
 import tyro
-from heli_gym.baselines.control.policies import POLICIES, make_policy
-from heli_gym.baselines.control.residual import GROUPS, Learned, Network, ResidualPolicy, save_learned
-from heli_gym.baselines.evaluation.metrics import ONE, Metrics, flight_metrics
-from heli_gym.baselines.evaluation.rollout import fly_many
-from heli_gym.train.asymmetric import AsymmetricPolicy
-from heli_gym.train.checkpoint import last_checkpoint, save_checkpoint
-from heli_gym.train.vec_env import ResidualVecEnv
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 from stable_baselines3 import PPO, SAC, TD3
@@ -34,14 +27,21 @@ from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.logger import configure
 from stable_baselines3.common.utils import set_random_seed
 
+from heli_gym.baselines.control.policies import POLICIES, make_policy
+from heli_gym.baselines.control.residual import FEATURE_GROUPS, Learned, Network, ResidualPolicy, save_learned
+from heli_gym.baselines.evaluation.metrics import ONE, Metrics, flight_metrics
+from heli_gym.baselines.evaluation.rollout import fly_many
 from heli_gym.env import find_reference
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
+from heli_gym.train.asymmetric import AsymmetricPolicy
+from heli_gym.train.checkpoint import last_checkpoint, save_checkpoint
+from heli_gym.train.vec_env import ResidualVecEnv
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 START_SPREAD_DEG = 5.0
 VALIDATION_SEED = HELD_OUT_SEED // 2  # training's seeds stay below, those of evaluations above
-UNFLOWN = 100.0  # what it takes off the score of a network to fly no time at all; more than errors can save
+EARLY_END_PENALTY = 100.0  # what it takes off the score of a network to fly no time at all; more than errors can save
 SCRATCH = "middle-voltage"  # the base of an agent that flies alone, from the middle of the voltages
 
 
@@ -54,7 +54,9 @@ class Args:
     mode: Literal["residual", "scratch"] = "residual"  # whether the agent corrects the base policy or flies alone
     base: str = ""  # the policy that is corrected; by default "kalman-lqr@PLANT", tuned for what the agent learns too
     scale: float = 3.0  # V, the greatest correction
-    sees: tuple[str, ...] = tuple(GROUPS)  # what of `heli_gym.baselines.control.residual.GROUPS` the agent is shown
+    feature_groups: tuple[str, ...] = tuple(
+        FEATURE_GROUPS
+    )  # what of `heli_gym.baselines.control.residual.FEATURE_GROUPS` the agent is shown
     privileged: bool = True  # PPO: whether its critic sees the true errors and the draw of the plant too
     objective: Literal["tracking", "environment"] = "tracking"  # travel, elevation and cost, or the whole reward
     reference: str = "travel-360"
@@ -117,7 +119,10 @@ def base_of(args: Args) -> str:
 def run_folder(args: Args) -> Path:
     """Where the run with these settings leaves what it leaves: a folder for each plant, method and seed."""
     method = f"{args.algo}-{base_of(args)}" if args.mode == "residual" else f"{args.algo}-scratch"
-    for name in (*(group for group in GROUPS if group not in args.sees), *([] if args.privileged else ["privileged"])):
+    for name in (
+        *(group for group in FEATURE_GROUPS if group not in args.feature_groups),
+        *([] if args.privileged else ["privileged"]),
+    ):
         method += f"-without-{name}"
     return args.out / args.plant / method / str(args.seed)
 
@@ -148,11 +153,15 @@ def check_begun(args: Args, folder: Path) -> bool:
 # The helicopters and the agent
 
 
-def correcting(args: Args, reference: Any, network: Any = None) -> ResidualPolicy:
+def make_residual_policy(args: Args, reference: Any, network: Any = None) -> ResidualPolicy:
     """The policy that is learnt, with a network of its own or with the agent in its place."""
     if args.mode == "scratch":
-        return ResidualPolicy(make_policy(SCRATCH, reference), reference, network, 6.0, sees=args.sees)
-    return ResidualPolicy(make_policy(base_of(args), reference), reference, network, args.scale, sees=args.sees)
+        return ResidualPolicy(
+            make_policy(SCRATCH, reference), reference, network, 6.0, feature_groups=args.feature_groups
+        )
+    return ResidualPolicy(
+        make_policy(base_of(args), reference), reference, network, args.scale, feature_groups=args.feature_groups
+    )
 
 
 def make_agent(args: Args, helicopters: ResidualVecEnv) -> BaseAlgorithm:
@@ -175,17 +184,17 @@ def make_agent(args: Args, helicopters: ResidualVecEnv) -> BaseAlgorithm:
             # White noise at 50 Hz hardly moves a helicopter: explore with one direction for a while.
             use_sde=True,
             sde_sample_freq=args.hold,
-            policy_kwargs={**networks, "log_std_init": args.log_std, "seen": helicopters.seen},
+            policy_kwargs={**networks, "log_std_init": args.log_std, "seen": helicopters.n_actor_features},
             **common,
         )
     # one gradient step per control period of all helicopters, with a batch that is large enough for them
     off_policy = {"buffer_size": args.buffer, "batch_size": 1024, "train_freq": 1, "gradient_steps": 1}
-    kinds: dict[str, Callable] = {"sac": SAC, "td3": TD3}
+    env_kwargs: dict[str, Callable] = {"sac": SAC, "td3": TD3}
     if args.algo == "tqc":
         from sb3_contrib import TQC
 
-        kinds["tqc"] = TQC
-    agent = kinds[args.algo](
+        env_kwargs["tqc"] = TQC
+    agent = env_kwargs[args.algo](
         "MlpPolicy", helicopters, policy_kwargs=networks, learning_starts=0, **off_policy, **common
     )
     with torch.no_grad():
@@ -200,23 +209,23 @@ def network_of(agent: BaseAlgorithm) -> Network:
     """What the agent does without exploring, for numpy."""
     policy: Any = agent.policy
     if isinstance(agent, PPO):
-        modules, squashes = [*policy.mlp_extractor.policy_net, policy.action_net], False
+        modules, tanh_output = [*policy.mlp_extractor.policy_net, policy.action_net], False
     elif isinstance(agent, TD3):
-        modules, squashes = [*policy.actor.mu], True
+        modules, tanh_output = [*policy.actor.mu], True
     else:
-        modules, squashes = [*policy.actor.latent_pi, policy.actor.mu], True
+        modules, tanh_output = [*policy.actor.latent_pi, policy.actor.mu], True
     layers = [module for module in modules if isinstance(module, torch.nn.Linear)]
     weights, biases = (
         [getattr(layer, name).detach().numpy().astype(float) for layer in layers] for name in ("weight", "bias")
     )
-    return Network(tuple(weights), tuple(biases), squashes)
+    return Network(tuple(weights), tuple(biases), tanh_output)
 
 
 def validate(args: Args, agent: BaseAlgorithm | None, envs: Heli3DOFVectorEnv, seed: int) -> dict[str, Any]:
     """Means over flights of the helicopters, seeded from `seed` on, with the agent or, without one, the base alone."""
     reference = envs.reference_of(0)
     network = network_of(agent) if agent else lambda features: np.zeros((2, *features.shape[1:]))
-    flights = fly_many(envs, correcting(args, reference, network), seed)
+    flights = fly_many(envs, make_residual_policy(args, reference, network), seed)
     metrics = [flight_metrics(flight, reference, envs.voltage_limits) for flight in flights]
     return {name: np.mean([getattr(m, name) for m in metrics], axis=0).tolist() for name in Metrics._fields}
 
@@ -227,7 +236,7 @@ def score(args: Args, row: dict[str, Any]) -> float:
         return row["episode_return"]
     travel, elevation = np.radians(row["rms_error_deg"][:2]) / ONE
     unflown = 1.0 - row["flown"] / find_reference(args.reference).duration  # errors are of the time flown only
-    return row["success"] - 0.5 * (travel + elevation) - UNFLOWN * unflown
+    return row["success"] - 0.5 * (travel + elevation) - EARLY_END_PENALTY * unflown
 
 
 # Training
@@ -242,14 +251,14 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     (folder / "checkpoints").mkdir(parents=True, exist_ok=True)
     torch.set_num_threads(1)
     reference = find_reference(args.reference)
-    kinds: dict[str, Any] = {"plant": args.plant, "reference": reference, "start_spread_deg": START_SPREAD_DEG}
+    env_kwargs: dict[str, Any] = {"plant": args.plant, "reference": reference, "start_spread_deg": START_SPREAD_DEG}
     helicopters = ResidualVecEnv(
-        Heli3DOFVectorEnv(args.envs, autoreset_mode="SameStep", **kinds),
-        correcting(args, reference),
+        Heli3DOFVectorEnv(args.envs, autoreset_mode="SameStep", **env_kwargs),
+        make_residual_policy(args, reference),
         args.objective,
         privileged=args.privileged and args.algo == "ppo",
     )
-    judges = Heli3DOFVectorEnv(args.validation, **kinds)
+    validation_envs = Heli3DOFVectorEnv(args.validation, **env_kwargs)
     agent = make_agent(args, helicopters)
     agent.set_logger(configure(str(folder), ["tensorboard"]))
 
@@ -258,7 +267,7 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     if checkpoint:
         history = restore(agent, checkpoint)
     else:
-        history.append({"steps": 0, **validate(args, None, judges, VALIDATION_SEED)})
+        history.append({"steps": 0, **validate(args, None, validation_envs, VALIDATION_SEED)})
         write_json(folder / "settings.json", settings_of(args))
     best_so_far = max((score(args, row) for row in history[1:]), default=-np.inf)
 
@@ -268,11 +277,11 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
         bar = progress.add_task(name, total=chunks, completed=len(history) - 1)
         for number in range(len(history) - 1, chunks if stop_after is None else min(chunks, stop_after)):
             learn(args, agent, helicopters, number, chunks)
-            row = {"steps": agent.num_timesteps, **validate(args, agent, judges, VALIDATION_SEED)}
+            row = {"steps": agent.num_timesteps, **validate(args, agent, validation_envs, VALIDATION_SEED)}
             history.append(row)
             if score(args, row) > best_so_far:
                 best_so_far = score(args, row)
-                save_learned(folder / "best", learned(args, helicopters), network_of(agent))
+                save_learned(folder / "best", learned_settings(args, helicopters), network_of(agent))
             for metric, value in row.items():
                 agent.logger.record(f"validation/{metric}", np.mean(value))
             agent.logger.dump(agent.num_timesteps)
@@ -336,7 +345,7 @@ def restore(agent: BaseAlgorithm, state: dict[str, Any]) -> list[dict[str, Any]]
     return json.loads(state["history"])
 
 
-def learned(args: Args, helicopters: ResidualVecEnv) -> Learned:
+def learned_settings(args: Args, helicopters: ResidualVecEnv) -> Learned:
     """What is stored beside the network."""
     return Learned(
         base=base_of(args) if args.mode == "residual" else SCRATCH,
@@ -344,10 +353,10 @@ def learned(args: Args, helicopters: ResidualVecEnv) -> Learned:
         reference=args.reference,
         plant=args.plant,
         control_period=helicopters.envs.control_period,
-        features=helicopters.seen,
+        features=helicopters.n_actor_features,
         hidden=args.hidden,
-        squashes=args.algo != "ppo",
-        sees=helicopters.policy.sees,
+        tanh_output=args.algo != "ppo",
+        feature_groups=helicopters.policy.feature_groups,
     )
 
 

@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 from gymnasium.spaces import Box
 from gymnasium.vector import AutoresetMode
-from heli_gym.baselines.control.policies import ModelPolicy, period
-from heli_gym.baselines.control.residual import LARGEST, ResidualPolicy
-from heli_gym.baselines.evaluation.metrics import tracking_reward
 from stable_baselines3.common.vec_env.base_vec_env import VecEnv
 
+from heli_gym.baselines.control.policies import ModelPolicy, step_index
+from heli_gym.baselines.control.residual import FEATURE_CLIP, ResidualPolicy
+from heli_gym.baselines.evaluation.metrics import tracking_reward
 from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.simulation.kernels import LAG, LOSS, RIG, VISCOUS
 from heli_gym.task import TOLERANCE, to_action
@@ -143,9 +143,9 @@ class ResidualVecEnv(HeliVecEnv):
         super().__init__(envs, spread)
         self.policy, self.objective, self.privileged = policy, objective, privileged
         self.policy.reset(np.random.default_rng(0))
-        self.seen = len(self.policy.observe(0.0, self.policy.x[:, 0])[1])
-        count = self.seen + (6 + len(DRAWN) if privileged else 0)
-        self.observation_space = Box(-LARGEST, LARGEST, (count,), np.float32)
+        self.n_actor_features = len(self.policy.observe(0.0, self.policy.x[:, 0])[1])
+        count = self.n_actor_features + (6 + len(DRAWN) if privileged else 0)
+        self.observation_space = Box(-FEATURE_CLIP, FEATURE_CLIP, (count,), np.float32)
 
     def observed_at_start(self, observation: np.ndarray) -> np.ndarray:
         self.policy.reset(np.random.default_rng(0))
@@ -164,11 +164,11 @@ class ResidualVecEnv(HeliVecEnv):
         if not self.privileged:
             return features.T.astype(np.float32)
         error = (state - self.reference_at(time)) / np.array(TOLERANCE)[:, None]
-        return np.clip(np.concatenate((features, error, self.draws)), -LARGEST, LARGEST).T.astype(np.float32)
+        return np.clip(np.concatenate((features, error, self.draws)), -FEATURE_CLIP, FEATURE_CLIP).T.astype(np.float32)
 
     def reference_at(self, time: np.ndarray) -> np.ndarray:
         """The states (6, N) of the reference at times (N,) in s."""
-        return self.policy.x[:, period(time, self.envs.control_period, self.policy.x.shape[1] - 1)]
+        return self.policy.x[:, step_index(time, self.envs.control_period, self.policy.x.shape[1] - 1)]
 
     def rewarded(self, rewards: np.ndarray, done: np.ndarray) -> np.ndarray:
         if self.objective == "environment":
@@ -200,7 +200,7 @@ class ResidualVecEnv(HeliVecEnv):
         kept = self.memories()
         self.policy.reset(np.random.default_rng(0))
         u_base[:, ended], features[:, ended] = self.policy.observe(self.t[ended], self.measurement[:, ended])
-        self.remember([replaced(old, new, ended) for old, new in zip(kept, self.memories())])
+        self.remember([assign_columns(old, new, ended) for old, new in zip(kept, self.memories())])
         self.u_base = u_base
         self.draws = self.drawn()
         return self.shown(features, state, self.t), last
@@ -217,10 +217,10 @@ class ResidualVecEnv(HeliVecEnv):
             self.policy.base.memory = memories[1]
 
 
-def replaced(old: Any, new: Any, columns: np.ndarray) -> Any:
+def assign_columns(old: Any, new: Any, columns: np.ndarray) -> Any:
     """Arrays (..., N), or tuples of them, with these columns replaced by arrays (..., n)."""
     if isinstance(old, tuple):
-        parts = [replaced(a, b, columns) for a, b in zip(old, new)]
+        parts = [assign_columns(a, b, columns) for a, b in zip(old, new)]
         return type(old)(*parts) if hasattr(old, "_fields") else tuple(parts)
     if old is None:
         return None

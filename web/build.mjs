@@ -12,7 +12,7 @@ const licences = ["three", "uplot"].map((name) => `/* ${name}\n\n${readFileSync(
 
 await build({
   entryPoints: { heli: "src/main.ts" },
-  outdir: process.argv[2] ?? "../baselines/web",
+  outdir: process.argv[2] ?? "../baselines/evaluation/web",
   bundle: true,
   minify: true,
   format: "iife",

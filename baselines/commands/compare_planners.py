@@ -16,6 +16,12 @@ from typing import Any, Literal
 import gymnasium as gym
 import numpy as np
 import tyro
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+from scipy.integrate import solve_ivp
+from scipy.stats import binomtest
+
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.evaluation import figures
 from heli_gym.baselines.evaluation.metrics import flight_metrics
@@ -24,12 +30,6 @@ from heli_gym.baselines.planning.collocation import collocate
 from heli_gym.baselines.planning.feasibility import ARRIVAL_TOLERANCE, LIMIT_TOLERANCE, InfeasibleManeuver
 from heli_gym.baselines.planning.planner import FASTEST, plan, plan_fastest
 from heli_gym.baselines.planning.spline import easy_duration
-from rich.console import Console
-from rich.progress import track
-from rich.table import Table
-from scipy.integrate import solve_ivp
-from scipy.stats import binomtest
-
 from heli_gym.model import dynamics, hover_input, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.plant import HELD_OUT_SEED
@@ -122,13 +122,13 @@ def robustness(args: Args, console: Console) -> None:
             shortest, ratio = shortest_known(maneuver), rng.uniform(*DURATIONS)
             if not math.isfinite(shortest):
                 continue
-            asked = replace(maneuver, duration=ratio * shortest)
-            trajectory, seconds = timed(plan, asked)
-            kept = trajectory is not None and meets_its_limits(asked, trajectory)
+            requested = replace(maneuver, duration=ratio * shortest)
+            trajectory, seconds = timed(plan, requested)
+            kept = trajectory is not None and meets_its_limits(requested, trajectory)
             spare += ratio >= TO_SPARE
             rows.append(
                 {
-                    "maneuver": str(asked),
+                    "maneuver": str(requested),
                     "duration / shortest known": ratio,
                     "planned": trajectory is not None,
                     "limits kept": kept,
@@ -262,11 +262,11 @@ def methods(args: Args, console: Console) -> None:
 
 def reserve(args: Args, console: Console) -> None:
     """What the fastest plan must leave to the paper's controller on `lab` and `rigid`: wider limits, or more time."""
-    rows, asked = [], Maneuver(duration=2.0 * LEISURE)
-    shortest = plan_fastest(asked).duration
-    plans = [(f"{share:.0%} of the windows", plan_fastest(asked, reserve=share)) for share in RESERVES]
+    rows, requested = [], Maneuver(duration=2.0 * LEISURE)
+    shortest = plan_fastest(requested).duration
+    plans = [(f"{share:.0%} of the windows", plan_fastest(requested, reserve=share)) for share in RESERVES]
     plans += [
-        (f"{share:.0%} more time", plan(replace(asked, duration=(1.0 + share) * shortest), "spline"))
+        (f"{share:.0%} more time", plan(replace(requested, duration=(1.0 + share) * shortest), "spline"))
         for share in MORE_TIME
     ]
     for name, trajectory in track(plans, "reserve", console=console):

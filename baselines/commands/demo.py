@@ -12,14 +12,19 @@ from typing import Any
 
 import numpy as np
 import tyro
+from rich.console import Console
+from rich.progress import track
+from scipy.integrate import solve_ivp
+from scipy.linalg import solve_discrete_are
+
 from heli_gym.baselines.control.discrete_lqr import sampled_problem
 from heli_gym.baselines.control.estimation import ENCODER_NOISE, LEAST_LIFT, START_DEVIATIONS, Actuator
 from heli_gym.baselines.control.residual import (
     AHEAD,
     BEFORE,
     DISTURBANCE_SCALE,
+    FEATURE_CLIP,
     INTEGRAL_SCALE,
-    LARGEST,
     LEARNED,
     STATE_SCALE,
     load_learned,
@@ -35,11 +40,6 @@ from heli_gym.baselines.paper.boundary_value import (
     solve_unconstrained,
 )
 from heli_gym.baselines.paper.tvlqr import Q, R, stationary_cost, stationary_gain
-from rich.console import Console
-from rich.progress import track
-from scipy.integrate import solve_ivp
-from scipy.linalg import solve_discrete_are
-
 from heli_gym.model import hover_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters, Limits
 from heli_gym.plant import AXES, PLANTS
@@ -107,34 +107,36 @@ def solve_chain(pitch_limit_deg: float, window: tuple[float, float]) -> list[lis
     plans: list[list[float]] = []
     last: Solution | None = None
     for duration in reversed(DURATIONS):
-        asked = maneuver(duration, pitch_limit_deg, window)
-        last = solve_from_unconstrained(asked) if last is None else shortened(last, asked)
-        if last is None or not is_sound(asked, last):
+        requested = maneuver(duration, pitch_limit_deg, window)
+        last = solve_from_unconstrained(requested) if last is None else shorten(last, requested)
+        if last is None or not is_sound(requested, last):
             break
         plans.insert(0, last.p.tolist())
     return [*([None] * (len(DURATIONS) - len(plans))), *plans]
 
 
-def solve_from_unconstrained(asked: Maneuver) -> Solution | None:
+def solve_from_unconstrained(requested: Maneuver) -> Solution | None:
     """The paper's way: (14) first, then (38) from there."""
-    unconstrained = solve_unconstrained(asked)
-    problem = ConstrainedProblem(asked)
-    return unconstrained and problem.solve(problem.guess(unconstrained.stretched(asked.duration)), FINE)
+    unconstrained = solve_unconstrained(requested)
+    problem = ConstrainedProblem(requested)
+    return unconstrained and problem.solve(problem.guess(unconstrained.stretched(requested.duration)), FINE)
 
 
-def shortened(solution: Solution, asked: Maneuver) -> Solution | None:
+def shorten(solution: Solution, requested: Maneuver) -> Solution | None:
     """The solution for a maneuver from that for a longer one, in small steps."""
     found: Solution | None = solution
-    for duration in np.linspace(float(solution.t[-1]), asked.duration, STEPS + 1)[1:].tolist():
-        found = found and ConstrainedProblem(replace(asked, duration=duration)).solve(found.stretched(duration), FINE)
+    for duration in np.linspace(float(solution.t[-1]), requested.duration, STEPS + 1)[1:].tolist():
+        found = found and ConstrainedProblem(replace(requested, duration=duration)).solve(
+            found.stretched(duration), FINE
+        )
     return found
 
 
-def is_sound(asked: Maneuver, solution: Solution) -> bool:
+def is_sound(requested: Maneuver, solution: Solution) -> bool:
     """Whether the voltages keep their limits (where the bounds (22) cross, they do not; the pitch always does), and
     the page, which integrates (38) forwards from the start, arrives at the goal."""
-    problem = ConstrainedProblem(asked)
-    low, high = asked.limits.u
+    problem = ConstrainedProblem(requested)
+    low, high = requested.limits.u
     u = problem.trajectory(solution).u
     if u.min() < low - LIMIT_TOLERANCE or u.max() > high + LIMIT_TOLERANCE:
         return False
@@ -143,7 +145,7 @@ def is_sound(asked: Maneuver, solution: Solution) -> bool:
         return problem.rhs(np.array([t]), Y[:, None], solution.p)[:, 0]
 
     start, goal = problem.ends()
-    end = solve_ivp(rhs, (0.0, asked.duration), start, rtol=1e-6, atol=1e-9, max_step=0.05).y[:, -1]
+    end = solve_ivp(rhs, (0.0, requested.duration), start, rtol=1e-6, atol=1e-9, max_step=0.05).y[:, -1]
     return bool(np.abs(end - goal).max() <= ARRIVAL_TOLERANCE)
 
 
@@ -175,7 +177,7 @@ def live_data() -> dict[str, Any]:
             "disturbance_scale": DISTURBANCE_SCALE,
             "ahead": AHEAD,
             "before": BEFORE,
-            "largest": LARGEST,
+            "largest": FEATURE_CLIP,
         },
         "networks": {name: stored_network(name, elevation, parameters) for name in sorted(set(NETWORK_FOR.values()))},
         "network_for": NETWORK_FOR,
@@ -212,9 +214,9 @@ def stored_network(name: str, elevation: float, parameters: HelicopterParameters
 
     return {
         "base": kalman_data(settings.base, elevation, parameters),
-        "sees": settings.sees,
+        "featureGroups": settings.feature_groups,
         "scale": settings.scale,
-        "squashes": network.squashes,
+        "tanhOutput": network.tanh_output,
         "layers": [
             {"weight": packed(weight), "bias": packed(bias)} for weight, bias in zip(network.weights, network.biases)
         ],

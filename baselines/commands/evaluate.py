@@ -11,6 +11,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import tyro
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+from scipy.stats import bootstrap
+
 from heli_gym.baselines.control.policies import POLICIES, is_learned, make_policy
 from heli_gym.baselines.evaluation import figures
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
@@ -19,11 +24,6 @@ from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.paper.normal_form import thrust_bounds, v2_bounds
 from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.baselines.planning.planner import plan, plan_unconstrained
-from rich.console import Console
-from rich.progress import track
-from rich.table import Table
-from scipy.stats import bootstrap
-
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder

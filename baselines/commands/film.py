@@ -9,12 +9,12 @@ from pathlib import Path
 import gymnasium as gym
 import numpy as np
 import tyro
+
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.evaluation.rollout import fly
-
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED
-from heli_gym.rendering import Renderer, Scene
+from heli_gym.rendering import Renderer, RenderState
 from heli_gym.storage import atomic_write
 from heli_gym.trajectory import Trajectory
 
@@ -44,19 +44,21 @@ def film(flights: Mapping[str, Trajectory], env: Heli3DOFEnv, width: int, frame_
     end = max(flight.duration for flight in flights.values())
     times = np.minimum(frame_time * np.arange(math.ceil(end / frame_time - 1e-9) + 1), end)
     return [
-        np.concatenate([renderer.frame(scene(flight, env, t, title)) for title, flight in flights.items()], axis=1)
+        np.concatenate(
+            [renderer.frame(render_state_at(flight, env, t, title)) for title, flight in flights.items()], axis=1
+        )
         for t in times.tolist()
     ]
 
 
-def scene(flight: Trajectory, env: Heli3DOFEnv, t: float, title: str) -> Scene:
+def render_state_at(flight: Trajectory, env: Heli3DOFEnv, t: float, title: str) -> RenderState:
     """A flight in an environment at the time t in s, or its end if it was over by then."""
     reference = env.reference
     over = t > flight.duration
     t = min(t, flight.duration)
     held = max(int(np.searchsorted(flight.t, t, side="right")) - 1, 0)
     state, nominal = flight(t)[0], reference(t)
-    return Scene(
+    return RenderState(
         state=state.tolist(),
         voltage=flight.u[:, held].tolist(),
         reference=nominal[0].tolist(),
@@ -119,7 +121,7 @@ def main(args: Args | None = None) -> None:
         flights = {name: fly(env, policy, seed=args.seed) for name, policy in policies.items()}
         write_gif(film(flights, env, args.width, args.frame_time), args.frame_time, args.out)
     except (ValueError, gym.error.DependencyNotInstalled) as error:
-        sys.exit(f"heli_gym.baselines.commands.film: {error}")
+        sys.exit(f"heli-film: {error}")
     print(f"{args.out}: {args.out.stat().st_size / 1e6:.2f} MB")
 
 

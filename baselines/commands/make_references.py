@@ -13,17 +13,17 @@ from pathlib import Path
 
 import numpy as np
 import tyro
-from heli_gym.baselines.paper.normal_form import feedforward
-from heli_gym.baselines.planning.planner import plan
 from numpy.polynomial import Polynomial
 from rich.console import Console
 from scipy.interpolate import make_interp_spline, make_lsq_spline
 
+from heli_gym.baselines.paper.normal_form import feedforward
+from heli_gym.baselines.planning.planner import plan
 from heli_gym.env import REFERENCES
 from heli_gym.model import fan_thrusts, voltage
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.storage import check_folder
-from heli_gym.trajectory import Maneuver, Trajectory, joined
+from heli_gym.trajectory import Maneuver, Trajectory, concatenate
 
 # s, between the samples that are stored. Replayed through (3), they stay within 2e-4 rad and rad/s.
 SAMPLE_PERIOD = 0.04
@@ -45,7 +45,7 @@ def ground_elevation(parameters: HelicopterParameters) -> float:
     return atan2(parameters.a2, -parameters.a1)
 
 
-def inverted(
+def invert_dynamics(
     t: np.ndarray, travel: np.ndarray, elevation: np.ndarray, limits: Limits, parameters: HelicopterParameters
 ) -> Trajectory:
     """The flight through (3) with this travel and elevation: (3, K) each, with two derivatives, in rad and s.
@@ -82,7 +82,7 @@ def elevation_sine() -> Trajectory:
         return amplitude * np.stack((np.sin(w * t), w * np.cos(w * t), -(w**2) * np.sin(w * t)))
 
     travel, elevation = sine(SINE_TRAVEL, SINE_DURATION), sine(SINE_ELEVATION, SINE_DURATION / 4.0)
-    return inverted(t, travel, elevation, Limits(), HelicopterParameters())
+    return invert_dynamics(t, travel, elevation, Limits(), HelicopterParameters())
 
 
 def take_off() -> Trajectory:
@@ -91,10 +91,10 @@ def take_off() -> Trajectory:
     ground, t = ground_elevation(parameters), inversion_times(T)
     elevation = np.stack([-ground * SMOOTH_RISE.deriv(n)(t / T) / T**n for n in range(3)])
     elevation[0] += ground
-    return inverted(t, np.zeros_like(elevation), elevation, Limits(u_min=0.0), parameters)
+    return invert_dynamics(t, np.zeros_like(elevation), elevation, Limits(u_min=0.0), parameters)
 
 
-def planned(travel_deg: float, elevation_deg: float, duration: float, start_deg: float = 0.0) -> Trajectory:
+def plan_from_rest(travel_deg: float, elevation_deg: float, duration: float, start_deg: float = 0.0) -> Trajectory:
     """A plan within the paper's limits from a travel at level to a travel and elevation, in degrees and s."""
     goal = radians(travel_deg), radians(elevation_deg)
     return plan(Maneuver((radians(start_deg), 0.0), goal, duration), method="paper")
@@ -102,19 +102,19 @@ def planned(travel_deg: float, elevation_deg: float, duration: float, start_deg:
 
 def return_trip() -> Trajectory:
     """Half a turn and back."""
-    return joined(planned(180.0, 0.0, 10.0), planned(0.0, 0.0, 10.0, start_deg=180.0))
+    return concatenate(plan_from_rest(180.0, 0.0, 10.0), plan_from_rest(0.0, 0.0, 10.0, start_deg=180.0))
 
 
 # Elevation is positive downwards.
 SUITE: dict[str, Callable[[], Trajectory]] = {
     "travel-360": partial(plan, Maneuver(), method="paper"),
-    "travel-360-slow": partial(planned, 360.0, 0.0, 15.0),
-    "travel-180": partial(planned, 180.0, 0.0, 10.0),
-    "climb-7.5": partial(planned, 0.0, -7.5, 5.0),
-    "descend-7.5": partial(planned, 0.0, 7.5, 5.0),
-    "climb-15": partial(planned, 0.0, -15.0, 7.0),
-    "back-60-descend": partial(planned, -60.0, 5.0, 7.0),
-    "travel-90-climb": partial(planned, 90.0, -7.5, 8.0),
+    "travel-360-slow": partial(plan_from_rest, 360.0, 0.0, 15.0),
+    "travel-180": partial(plan_from_rest, 180.0, 0.0, 10.0),
+    "climb-7.5": partial(plan_from_rest, 0.0, -7.5, 5.0),
+    "descend-7.5": partial(plan_from_rest, 0.0, 7.5, 5.0),
+    "climb-15": partial(plan_from_rest, 0.0, -15.0, 7.0),
+    "back-60-descend": partial(plan_from_rest, -60.0, 5.0, 7.0),
+    "travel-90-climb": partial(plan_from_rest, 90.0, -7.5, 8.0),
     "return-180": return_trip,
     "elevation-sine": elevation_sine,
     "take-off": take_off,
@@ -154,7 +154,7 @@ def main(args: Args | None = None) -> None:
     try:
         check_folder("out", args.out)
     except ValueError as error:
-        sys.exit(f"heli_gym.baselines.commands.make_references: {error}")
+        sys.exit(f"heli-make-references: {error}")
     for name in SUITE:
         reference = packaged(name)
         path = args.out / f"{name}.npz"

@@ -9,11 +9,11 @@ from typing import Literal
 
 import numpy as np
 import tyro
+from rich.console import Console
+
 from heli_gym.baselines.evaluation import figures
 from heli_gym.baselines.planning.feasibility import InfeasibleManeuver
 from heli_gym.baselines.planning.planner import plan, plan_fastest
-from rich.console import Console
-
 from heli_gym.parameters import Limits
 from heli_gym.storage import check_folder
 from heli_gym.trajectory import Maneuver, Trajectory
@@ -41,7 +41,7 @@ class Args:
     figure: bool = True  # whether to draw the picture
 
 
-def asked(args: Args) -> Maneuver:
+def requested_maneuver(args: Args) -> Maneuver:
     """The maneuver that the arguments ask for. Raises ValueError for those that make none, by their own names."""
     for name in ("travel_deg", "elevation_deg", "start_travel_deg", "start_elevation_deg"):
         if not isfinite(getattr(args, name)):
@@ -65,7 +65,7 @@ def asked(args: Args) -> Maneuver:
     )
 
 
-def planned(maneuver: Maneuver, args: Args) -> Trajectory:
+def plan_requested(maneuver: Maneuver, args: Args) -> Trajectory:
     """The plan of the maneuver, in its duration or as fast as possible."""
     if args.fastest:
         return plan_fastest(maneuver, args.method, args.reserve, args.time_limit)
@@ -85,8 +85,8 @@ def main(args: Args | None = None) -> None:
         if args.out.suffix != ".npz" or args.out.is_dir():
             raise ValueError(f"out = {str(args.out)!r}: the name of a file that ends in .npz is needed")
         check_folder("out", args.out.parent)
-        maneuver = asked(args)
-        trajectory = planned(maneuver, args)
+        maneuver = requested_maneuver(args)
+        trajectory = plan_requested(maneuver, args)
         console.print(f"{maneuver}: planned in {time.perf_counter() - began:.2f} s")
         trajectory.save(args.out)
     except (ValueError, ImportError, InfeasibleManeuver) as error:

@@ -15,15 +15,15 @@ from typing import Literal
 
 import numpy as np
 import tyro
-from heli_gym.baselines.control.discrete_lqr import Weights
-from heli_gym.baselines.control.policies import Policy, make_policy
-from heli_gym.baselines.control.weights import WEIGHTS, store_weights
-from heli_gym.baselines.evaluation.metrics import tracking_reward
 from rich.console import Console
 from rich.progress import Progress
 from scipy.optimize import differential_evolution
 from scipy.stats.qmc import LatinHypercube, scale
 
+from heli_gym.baselines.control.discrete_lqr import Weights
+from heli_gym.baselines.control.policies import Policy, make_policy
+from heli_gym.baselines.control.weights import WEIGHTS, store_weights
+from heli_gym.baselines.evaluation.metrics import tracking_reward
 from heli_gym.env import find_reference
 from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv

@@ -8,9 +8,9 @@ from dataclasses import astuple, dataclass
 from typing import NamedTuple
 
 import numpy as np
-from heli_gym.baselines.control.estimation import discretised
 from scipy.linalg import solve_discrete_are
 
+from heli_gym.baselines.control.estimation import discretise
 from heli_gym.model import hover_input, linearise
 from heli_gym.parameters import HelicopterParameters
 
@@ -86,7 +86,7 @@ def sampled_problem(
 ) -> Problem:
     """The problem that regulates deviations from x (6, K), v (2, K), with the inputs held for dt seconds."""
     A, B = (np.moveaxis(part, -1, 0) for part in linearise(x, v, parameters))
-    A, B = discretised(*augmented(A, B, lag, isinstance(weights, IntegralWeights)), dt)
+    A, B = discretise(*augmented(A, B, lag, isinstance(weights, IntegralWeights)), dt)
     n = A.shape[1]
     Q = np.zeros((n, n))
     Q[:6, :6] = weights.Q

@@ -4,7 +4,7 @@ Controllers know one nominal actuator, not the plant's draw. `predict` simulates
 nobody measures and bridges the delay (a Smith predictor in state space: Åström and Wittenmark, Computer-Controlled
 Systems, 3rd ed., Section 5.4). `kalman_gains` are those of a Kalman filter on the three angles, with the accelerations
 that (3) does not explain as three more states (Anderson and Moore, Optimal Filtering, Chapters 3 and 5);
-`accommodated` is what a reference becomes that has to live with them.
+`disturbance_accommodated_reference` is what a reference becomes that has to live with them.
 """
 
 import math
@@ -33,7 +33,7 @@ class Actuator(NamedTuple):
 IDEAL = Actuator(0.0, 0)
 
 
-def turned(w: Any, u: Any, lag: float, time: float) -> Any:
+def rotor_response(w: Any, u: Any, lag: float, time: float) -> Any:
     """Rotor speeds (2, ...), as voltages in V, a time in s after they were w and the voltages u were switched on."""
     return u + (w - u) * math.exp(-time / lag) if lag else u
 
@@ -45,18 +45,20 @@ def predict(
 
     The disturbance (3, ...) in rad/s² adds to the accelerations of travel, elevation and pitch.
     """
-    inputs = tuple(virtual_input(thrust(turned(w, u, lag, share * dt), parameters)) for share in (0.0, 0.5, 1.0))
-    return np.stack(rk4_step(disturbed, x, inputs, dt, disturbance, parameters)), turned(w, u, lag, dt)
+    inputs = tuple(
+        virtual_input(thrust(rotor_response(w, u, lag, share * dt), parameters)) for share in (0.0, 0.5, 1.0)
+    )
+    return np.stack(rk4_step(disturbed_dynamics, x, inputs, dt, disturbance, parameters)), rotor_response(w, u, lag, dt)
 
 
-def disturbed(x: Any, v: Any, disturbance: Any, parameters: HelicopterParameters) -> tuple:
+def disturbed_dynamics(x: Any, v: Any, disturbance: Any, parameters: HelicopterParameters) -> tuple:
     """Equation (3) with more accelerations (3, ...) in rad/s²."""
     dq1, ddq1, dq2, ddq2, dq3, ddq3 = dynamics(x, v, parameters)
     on_travel, on_elevation, on_pitch = disturbance
     return dq1, ddq1 + on_travel, dq2, ddq2 + on_elevation, dq3, ddq3 + on_pitch
 
 
-def discretised(A: np.ndarray, B: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:
+def discretise(A: np.ndarray, B: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:
     """Transitions (K, n, n) and (K, n, m) over dt seconds of the systems A (K, n, n), B (K, n, m) with held inputs.
 
     The Taylor series of the exponential up to order four, which is what Runge-Kutta of order four gives.
@@ -91,7 +93,7 @@ def kalman_gains(x: np.ndarray, v: np.ndarray, dt: float, parameters: Helicopter
     extended = np.zeros((len(A), 9, 9))
     extended[:, :6, :6] = A
     extended[:, RATES, (6, 7, 8)] = 1.0
-    transitions, _ = discretised(extended, np.zeros((len(A), 9, 1)), dt)
+    transitions, _ = discretise(extended, np.zeros((len(A), 9, 1)), dt)
     drive = np.zeros((9, 6))
     drive[RATES, (0, 1, 2)] = noise.acceleration
     drive[(6, 7, 8), (3, 4, 5)] = noise[:3]
@@ -123,7 +125,7 @@ def settling_periods(dt: float) -> int:
     return max(1, round(SETTLED / dt))
 
 
-def accommodated(
+def disturbance_accommodated_reference(
     x: Any, v: Any, disturbance: Any, pitch_limits: tuple[float, float], parameters: HelicopterParameters
 ) -> tuple[np.ndarray, np.ndarray]:
     """The reference x (6, ...), v (2, ...) with the pitch and the thrusts that also outweigh a disturbance (3, ...).

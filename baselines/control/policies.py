@@ -9,11 +9,12 @@ from functools import partial
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
+
 from heli_gym.baselines.control.discrete_lqr import IntegralWeights, Weights, regulator_gains
 from heli_gym.baselines.control.estimation import (
     IDEAL,
     Actuator,
-    accommodated,
+    disturbance_accommodated_reference,
     kalman_gains,
     predict,
     settling_gains,
@@ -30,7 +31,6 @@ from heli_gym.baselines.control.weights import (
     weights_of,
 )
 from heli_gym.baselines.paper.tvlqr import riccati_gains, stationary_gain
-
 from heli_gym.model import fan_thrusts, hover_input, thrust, virtual_input, voltage
 from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
 from heli_gym.task import control_grid
@@ -47,7 +47,7 @@ class Policy(Protocol):
         """Voltages (2, ...) in V to hold from the time t in s on, given measured states (6, ...) in rad and rad/s."""
 
 
-def beside(column: np.ndarray, measurement: np.ndarray) -> np.ndarray:
+def expand_batch_dims(column: np.ndarray, measurement: np.ndarray) -> np.ndarray:
     """The column (n,), or columns (n, N), in a shape that broadcasts with a measurement (6, ...)."""
     return column if column.ndim > 1 else column.reshape(-1, *(1,) * (measurement.ndim - 1))
 
@@ -57,7 +57,7 @@ def applied_to(gains: np.ndarray, values: np.ndarray) -> np.ndarray:
     return gains @ values if gains.ndim == 2 else np.einsum("ijk,jk->ik", gains, values)
 
 
-def period(t: Any, control_period: float, last: int) -> Any:
+def step_index(t: Any, control_period: float, last: int) -> Any:
     """In which control period, of those up to the last, the time t in s is; (N,) for N times."""
     if np.ndim(t):
         return np.minimum(np.round(np.asarray(t) / control_period).astype(int), last)
@@ -82,9 +82,9 @@ class TrackingPolicy:
         """Nothing to do: this policy remembers nothing."""
 
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
-        k = period(t, self.control_period, self.x.shape[1] - 1)
-        error = measurement - beside(self.x[:, k], measurement)
-        v = beside(self.v[:, k], measurement) - applied_to(self.gains[:, :, k], error)
+        k = step_index(t, self.control_period, self.x.shape[1] - 1)
+        error = measurement - expand_batch_dims(self.x[:, k], measurement)
+        v = expand_batch_dims(self.v[:, k], measurement) - applied_to(self.gains[:, :, k], error)
         return voltage(fan_thrusts(v), self.parameters)
 
 
@@ -133,25 +133,25 @@ class ModelPolicy:
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
         measurement = np.asarray(measurement, dtype=float)
         last = self.x.shape[1] - 1
-        now = period(t, self.control_period, last)
-        memory = self.memory or self.beginning(now, measurement)
+        now = step_index(t, self.control_period, last)
+        memory = self.memory or self.init(now, measurement)
 
-        x, disturbance = self.estimated(memory, now, measurement)
+        x, disturbance = self.estimate(memory, now, measurement)
         later, rotors = x, memory.rotors
         for u in memory.pending:
-            later, rotors = self.predicted(later, rotors, u, disturbance)
-        u = self.regulated(np.minimum(now + self.actuator.delay, last), later, rotors, disturbance, memory.integral)
+            later, rotors = self.predict(later, rotors, u, disturbance)
+        u = self.control(np.minimum(now + self.actuator.delay, last), later, rotors, disturbance, memory.integral)
 
         applied = np.clip(u, *self.voltage_limits)
         pending = (*memory.pending, applied)
-        error = (x - beside(self.x[:, now], x))[[0, 2]]
+        error = (x - expand_batch_dims(self.x[:, now], x))[[0, 2]]
         # Anti-windup: nothing is integrated while the amplifier saturates.
         integral = memory.integral + self.control_period * error * (u == applied).all(axis=0)
-        x, rotors = self.predicted(x, memory.rotors, pending[0], disturbance)
+        x, rotors = self.predict(x, memory.rotors, pending[0], disturbance)
         self.memory = Memory(x, disturbance, rotors, pending[1:], integral, memory.start)
         return u
 
-    def replace_last(self, u: np.ndarray) -> None:
+    def set_applied_input(self, u: np.ndarray) -> None:
         """Tells what voltages (2, ...) were asked for after all, in place of those that were given last."""
         if self.memory is None:
             raise ValueError("replace_last: comes after voltages that were given")
@@ -162,13 +162,13 @@ class ModelPolicy:
         pending = (*self.memory.pending[:-1], np.clip(u, *self.voltage_limits))
         self.memory = self.memory._replace(pending=pending)
 
-    def beginning(self, now: Any, measurement: np.ndarray) -> Memory:
+    def init(self, now: Any, measurement: np.ndarray) -> Memory:
         """At the first call: the reference, which is what a filter begins with, the rotors turning at its voltages."""
         batch = measurement.shape[1:]
-        x, u = (beside(start[:, now], measurement) + np.zeros(batch) for start in (self.x, self.u))
+        x, u = (expand_batch_dims(start[:, now], measurement) + np.zeros(batch) for start in (self.x, self.u))
         return Memory(x, np.zeros((3, *batch)), u, (u,) * self.actuator.delay, np.zeros((2, *batch)), now)
 
-    def estimated(self, memory: Memory, now: Any, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def estimate(self, memory: Memory, now: Any, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """State (6, ...) and disturbance (3, ...)."""
         if self.observer is None:
             return measurement, memory.disturbance
@@ -193,20 +193,20 @@ class ModelPolicy:
             self.known[start] = self.settling(start)
         return self.known[start]
 
-    def predicted(self, x: Any, rotors: Any, u: Any, disturbance: Any) -> tuple[np.ndarray, np.ndarray]:
+    def predict(self, x: Any, rotors: Any, u: Any, disturbance: Any) -> tuple[np.ndarray, np.ndarray]:
         """State (6, ...) and rotor speeds (2, ...) a control period later."""
         return predict(x, rotors, u, disturbance, self.control_period, self.actuator.lag, self.parameters)
 
-    def regulated(self, k: Any, x: Any, rotors: Any, disturbance: Any, integral: Any) -> np.ndarray:
+    def control(self, k: Any, x: Any, rotors: Any, disturbance: Any, integral: Any) -> np.ndarray:
         """Voltages (2, ...) for the k-th period, before the amplifier limits them."""
         p = self.parameters
         v, v_ref, v_command = (
             np.stack(virtual_input(thrust(voltages, p)))
-            for voltages in (rotors, beside(self.u[:, k], x), beside(self.command[:, k], x))
+            for voltages in (rotors, expand_batch_dims(self.u[:, k], x), expand_batch_dims(self.command[:, k], x))
         )
-        x_ref, v_hold = beside(self.x[:, k], x), v_ref
+        x_ref, v_hold = expand_batch_dims(self.x[:, k], x), v_ref
         if self.observer is not None:
-            x_ref, v_hold = accommodated(x_ref, v_ref, disturbance, self.pitch_limits, p)
+            x_ref, v_hold = disturbance_accommodated_reference(x_ref, v_ref, disturbance, self.pitch_limits, p)
         deviations = [x - x_ref]
         if self.actuator.lag:
             deviations.append(v - v_hold)

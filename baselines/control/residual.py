@@ -1,7 +1,7 @@
 """A learned correction on top of a controller: u = sat(u_base + scale a), with a in [-1, 1]² from a small network.
 
-The network sees what the controller sees, and nothing of the plant's draw: see `GROUPS`. It is stored as safetensors
-beside a JSON file with its settings and the SHA-256 of the weights, and flown by numpy.
+The network sees what the controller sees, and nothing of the plant's draw: see `FEATURE_GROUPS`. It is stored as
+safetensors beside a JSON file with its settings and the SHA-256 of the weights, and flown by numpy.
 """
 
 import json
@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from heli_gym.baselines.control.policies import ModelPolicy, Policy, beside, make_policy, period
 
+from heli_gym.baselines.control.policies import ModelPolicy, Policy, expand_batch_dims, make_policy, step_index
 from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
 from heli_gym.storage import atomic_write
 from heli_gym.task import TOLERANCE, control_grid, to_action
@@ -23,7 +23,7 @@ from heli_gym.trajectory import Trajectory
 LEARNED = Path(__file__).parent / "learned"  # the policies that come with the package: of the first seed on each plant
 AHEAD = (0.0, 0.2, 0.4, 0.8)  # s, at which the network sees the reference
 BEFORE = (0.1, 0.2, 0.4)  # s, at which it sees past errors and corrections
-GROUPS = {
+FEATURE_GROUPS = {
     "error": "of all six states, in tolerances",
     "integral": "of the errors of travel and elevation",
     "voltages": "of the base policy, nominal, and the last correction",
@@ -32,7 +32,7 @@ GROUPS = {
     "past": "errors of the angles, and corrections",
 }
 STATE_SCALE = np.array([math.pi, 1.0, 0.2, 0.5, 1.0, 2.0])  # rad and rad/s, of the reference
-DISTURBANCE_SCALE, INTEGRAL_SCALE, LARGEST = 0.2, 0.1, 5.0  # rad/s², rad s, and what features are clipped to
+DISTURBANCE_SCALE, INTEGRAL_SCALE, FEATURE_CLIP = 0.2, 0.1, 5.0  # rad/s², rad s, and what features are clipped to
 
 
 class Memory(NamedTuple):
@@ -53,7 +53,7 @@ class ResidualPolicy:
         scale: V, the greatest correction.
         control_period: s.
         voltage_limits: V, the amplifier's.
-        sees: which of `GROUPS` the network is shown.
+        feature_groups: which of `FEATURE_GROUPS` the network is shown.
 
     Raises:
         ValueError: for a scale that is negative or not finite, or an unknown group.
@@ -65,14 +65,16 @@ class ResidualPolicy:
     scale: float
     control_period: float = 0.02
     voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
-    sees: tuple[str, ...] = tuple(GROUPS)
+    feature_groups: tuple[str, ...] = tuple(FEATURE_GROUPS)
     memory: Memory | None = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.scale) and self.scale >= 0.0):
             raise ValueError(f"scale = {self.scale!r}: a finite number of volts, at least 0, is needed")
-        if not self.sees or not set(self.sees) <= set(GROUPS):
-            raise ValueError(f"sees = {self.sees!r}: some of {', '.join(map(repr, GROUPS))} are needed")
+        if not self.feature_groups or not set(self.feature_groups) <= set(FEATURE_GROUPS):
+            raise ValueError(
+                f"feature_groups = {self.feature_groups!r}: some of {', '.join(map(repr, FEATURE_GROUPS))} are needed"
+            )
         self.x, self.u = control_grid(self.reference, self.control_period)
         ahead = [control_grid(self.reference, self.control_period, seconds)[0] for seconds in AHEAD]
         self.preview = np.concatenate([(x / STATE_SCALE[:, None])[1:] for x in ahead])
@@ -91,22 +93,22 @@ class ResidualPolicy:
     def observe(self, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Voltages of the base policy (2, ...) in V, and the features (F, ...) for the network."""
         u_base = self.base(t, measurement)
-        k = period(t, self.control_period, self.x.shape[1] - 1)
+        k = step_index(t, self.control_period, self.x.shape[1] - 1)
         if self.memory is None:
             batch = measurement.shape[1:]
             self.memory = Memory(np.zeros((2, *batch)), np.zeros((max(self.past_steps), 5, *batch)))
-        error = measurement - beside(self.x[:, k], measurement)
+        error = measurement - expand_batch_dims(self.x[:, k], measurement)
         past = self.memory.past
         groups = {
-            "error": [error / beside(np.array(TOLERANCE), measurement)],
+            "error": [error / expand_batch_dims(np.array(TOLERANCE), measurement)],
             "integral": [self.memory.integral / INTEGRAL_SCALE],
             "voltages": [
                 to_action(u_base, self.voltage_limits),
-                to_action(beside(self.u[:, k], measurement) + np.zeros_like(u_base), self.voltage_limits),
+                to_action(expand_batch_dims(self.u[:, k], measurement) + np.zeros_like(u_base), self.voltage_limits),
                 past[0, 3:],
             ],
             "estimate": [],
-            "preview": [beside(self.preview[:, k], measurement) + np.zeros((1, *measurement.shape[1:]))],
+            "preview": [expand_batch_dims(self.preview[:, k], measurement) + np.zeros((1, *measurement.shape[1:]))],
             "past": [past[step - 1] for step in self.past_steps],
         }
         if isinstance(self.base, ModelPolicy) and self.base.memory is not None:
@@ -114,8 +116,8 @@ class ResidualPolicy:
                 self.base.memory.disturbance / DISTURBANCE_SCALE,
                 to_action(self.base.memory.rotors, self.voltage_limits),
             ]
-        rows = [row for group in GROUPS if group in self.sees for row in groups[group]]
-        return u_base, np.clip(np.concatenate(rows), -LARGEST, LARGEST)
+        rows = [row for group in FEATURE_GROUPS if group in self.feature_groups for row in groups[group]]
+        return u_base, np.clip(np.concatenate(rows), -FEATURE_CLIP, FEATURE_CLIP)
 
     def correct(
         self, t: float | np.ndarray, measurement: np.ndarray, u_base: np.ndarray, action: np.ndarray
@@ -123,12 +125,12 @@ class ResidualPolicy:
         """The voltages (2, ...) in V, after the base policy's and the action (2, ...); also remembers both."""
         if self.memory is None:
             raise ValueError("correct: comes after observe")
-        k = period(t, self.control_period, self.x.shape[1] - 1)
+        k = step_index(t, self.control_period, self.x.shape[1] - 1)
         u = u_base + self.scale * action if self.scale else u_base
         if isinstance(self.base, ModelPolicy) and self.scale:
-            self.base.replace_last(u)
-        error = (measurement - beside(self.x[:, k], measurement))[0::2]
-        tolerances = beside(np.array(TOLERANCE[0::2]), measurement)
+            self.base.set_applied_input(u)
+        error = (measurement - expand_batch_dims(self.x[:, k], measurement))[0::2]
+        tolerances = expand_batch_dims(np.array(TOLERANCE[0::2]), measurement)
         now = np.concatenate((error / tolerances, action))[None]
         self.memory = Memory(
             self.memory.integral + self.control_period * error[:2],
@@ -148,8 +150,8 @@ class Learned:
     control_period: float  # s
     features: int
     hidden: tuple[int, ...]
-    squashes: bool  # whether the actions are the tanh of the last layer
-    sees: tuple[str, ...] = tuple(GROUPS)  # what of GROUPS it is shown
+    tanh_output: bool  # whether the actions are the tanh of the last layer
+    feature_groups: tuple[str, ...] = tuple(FEATURE_GROUPS)  # what of GROUPS it is shown
 
 
 class Network(NamedTuple):
@@ -157,14 +159,14 @@ class Network(NamedTuple):
 
     weights: tuple[np.ndarray, ...]
     biases: tuple[np.ndarray, ...]
-    squashes: bool  # whether the tanh of the last layer is taken too
+    tanh_output: bool  # whether the tanh of the last layer is taken too
 
     def __call__(self, features: np.ndarray) -> np.ndarray:
         """The actions (2, ...) for features (F, ...)."""
         value = features
         for layer, (weight, bias) in enumerate(zip(self.weights, self.biases)):
-            value = weight @ value + beside(bias, value)
-            if layer < len(self.weights) - 1 or self.squashes:
+            value = weight @ value + expand_batch_dims(bias, value)
+            if layer < len(self.weights) - 1 or self.tanh_output:
                 value = np.tanh(value)
         return value
 
@@ -207,7 +209,7 @@ def load_learned(path: str | os.PathLike) -> tuple[Learned, Network]:
     return settings, Network(
         tuple(tensors[f"{layer}.weight"].astype(float) for layer in layers),
         tuple(tensors[f"{layer}.bias"].astype(float) for layer in layers),
-        settings.squashes,
+        settings.tanh_output,
     )
 
 
@@ -222,4 +224,6 @@ def learned_policy(
             f"{settings.control_period:g} s"
         )
     base = make_policy(settings.base, reference, control_period, parameters)
-    return ResidualPolicy(base, reference, network, settings.scale, control_period, sees=settings.sees)
+    return ResidualPolicy(
+        base, reference, network, settings.scale, control_period, feature_groups=settings.feature_groups
+    )

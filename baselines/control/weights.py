@@ -8,10 +8,10 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
+
 from heli_gym.baselines.control.discrete_lqr import IntegralWeights, Weights
 from heli_gym.baselines.control.estimation import Noise
 from heli_gym.baselines.paper import tvlqr
-
 from heli_gym.storage import atomic_write
 
 TUNED = Path(__file__).parent / "tuned"  # weights for single plants, a file each

@@ -8,14 +8,14 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from heli_gym.baselines.paper.normal_form import ddy2_bounds, thrust_bounds, v1_bounds, v2_bounds
-from heli_gym.baselines.paper.saturation import psi1, psi2_bounds, ramp
-from heli_gym.baselines.paper.tvlqr import Gains
 from matplotlib import rc_context
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from heli_gym.baselines.paper.normal_form import ddy2_bounds, thrust_bounds, v1_bounds, v2_bounds
+from heli_gym.baselines.paper.saturation import psi1, psi2_bounds, ramp
+from heli_gym.baselines.paper.tvlqr import Gains
 from heli_gym.model import hover_input, thrust, virtual_input, voltage
 from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters, Limits
 from heli_gym.storage import atomic_write

@@ -13,15 +13,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from heli_gym.baselines.paper.tvlqr import riccati_gains
 
+from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters
 from heli_gym.rigid_body import solve_rigid_body
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
-WEB = Path(str(files("baselines") / "web"))
+WEB = Path(str(files("heli_gym.baselines.evaluation") / "web"))
 SAMPLE_PERIOD = 0.02  # s, at least, between the samples of a flight in the report
 DECIMALS = 7  # of rad, rad/s, V and gains
 

@@ -4,9 +4,9 @@ from typing import Any
 
 import gymnasium as gym
 import numpy as np
+
 from heli_gym.baselines.control.policies import ModelPolicy, Policy, TrackingPolicy
 from heli_gym.baselines.control.residual import ResidualPolicy
-
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.trajectory import Trajectory

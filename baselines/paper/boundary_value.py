@@ -6,13 +6,13 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from heli_gym.baselines.compilation import kept
-from heli_gym.baselines.paper.normal_form import ddy1_bounds, ddy2_bounds, feedforward, internal_dynamics, thrust_bounds
-from heli_gym.baselines.paper.saturation import Saturation, ddy2, psi1, psi1_inverse, psi2_bounds, ramp
 from numpy.polynomial import Polynomial
 from numpy.polynomial.polynomial import polyval
 from scipy.integrate import solve_bvp
 
+from heli_gym.baselines.compilation import jit_cached
+from heli_gym.baselines.paper.normal_form import ddy1_bounds, ddy2_bounds, feedforward, internal_dynamics, thrust_bounds
+from heli_gym.baselines.paper.saturation import Saturation, ddy2, psi1, psi1_inverse, psi2_bounds, ramp
 from heli_gym.model import fan_thrusts, voltage
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.trajectory import Maneuver, Trajectory
@@ -167,7 +167,7 @@ def sampling_kernel() -> Callable:
             x[4, k], x[5, k] = motion.pitch.value, motion.pitch.slope * xi2
             thrusts[0, k], thrusts[1, k] = fan_thrusts((motion.v1, motion.v2))
 
-    return kept(sample, fast=True)
+    return jit_cached(sample, fast=True)
 
 
 def constrained_rhs(Y: Any, motion: Motion, parameters: HelicopterParameters) -> tuple:

@@ -9,8 +9,8 @@ from collections.abc import Callable
 from functools import cache
 
 import numpy as np
-from heli_gym.baselines.compilation import kept
 
+from heli_gym.baselines.compilation import jit_cached
 from heli_gym.model import dynamics, linearise
 from heli_gym.parameters import HelicopterParameters
 
@@ -50,7 +50,7 @@ def linearising_kernel() -> Callable:
                 for i in range(6):
                     J[n, i, j] = (dx[i] + 0j).imag / STEP
 
-    return kept(linearise_along)
+    return jit_cached(linearise_along)
 
 
 @cache
@@ -96,7 +96,7 @@ def riccati_kernel() -> Callable:
                 K[0, i, n], K[1, i, n] = V[0, i], V[1, i]
         return worst
 
-    return kept(integrate)
+    return jit_cached(integrate)
 
 
 def slope(P, J, rows, columns, Q, R, S, W, V, rate):

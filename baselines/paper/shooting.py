@@ -11,7 +11,9 @@ from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
-from heli_gym.baselines.compilation import kept
+from numpy.polynomial.polynomial import polyval
+
+from heli_gym.baselines.compilation import jit_cached
 from heli_gym.baselines.paper.boundary_value import (
     CLOSEST_PITCH,
     COEFFICIENTS,
@@ -26,9 +28,7 @@ from heli_gym.baselines.paper.boundary_value import (
 )
 from heli_gym.baselines.paper.normal_form import alpha1, alpha2, internal_dynamics, thrust_bounds
 from heli_gym.baselines.paper.saturation import psi1, psi1_inverse
-from numpy.polynomial.polynomial import polyval
-
-from heli_gym.model import moved, thrust, virtual_input
+from heli_gym.model import axpy, thrust, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
 SEGMENTS = 10
@@ -52,7 +52,7 @@ def shooting_kernel() -> Callable:
     up along the way: all as if the segments were joined, to first order.
     """
 
-    def shoot(Y, p, goal, steps, duration, pitch_bounds, f, parameters, dY, missed, sensitivity):
+    def shoot(Y, p, goal, steps, duration, pitch_bounds, f, parameters, dY, defects, sensitivity):
         last = Y.shape[1] - 1
         h, each = duration / last, 1.0 / last
         V, W = np.zeros((6, 7)), np.zeros((6, 7))
@@ -66,28 +66,28 @@ def shooting_kernel() -> Callable:
             if n == last:
                 break
             middle = tau + 0.5 * each
-            varied(V, 0.5 * h, k1, W)
-            d2 = linearised(middle, moved(now, 0.5 * h, d1), W, p, pitch_bounds, f, parameters, k2)
-            varied(V, 0.5 * h, k2, W)
-            d3 = linearised(middle, moved(now, 0.5 * h, d2), W, p, pitch_bounds, f, parameters, k3)
-            varied(V, h, k3, W)
-            d4 = linearised(tau + each, moved(now, h, d3), W, p, pitch_bounds, f, parameters, k4)
-            now = moved(moved(moved(moved(now, h / 6.0, d1), h / 3.0, d2), h / 3.0, d3), h / 6.0, d4)
+            add_scaled(V, 0.5 * h, k1, W)
+            d2 = linearised(middle, axpy(now, 0.5 * h, d1), W, p, pitch_bounds, f, parameters, k2)
+            add_scaled(V, 0.5 * h, k2, W)
+            d3 = linearised(middle, axpy(now, 0.5 * h, d2), W, p, pitch_bounds, f, parameters, k3)
+            add_scaled(V, h, k3, W)
+            d4 = linearised(tau + each, axpy(now, h, d3), W, p, pitch_bounds, f, parameters, k4)
+            now = axpy(axpy(axpy(axpy(now, h / 6.0, d1), h / 3.0, d2), h / 3.0, d3), h / 6.0, d4)
             for i in range(6):
                 for j in range(7):
                     V[i, j] += h / 6.0 * (k1[i, j] + 2.0 * (k2[i, j] + k3[i, j]) + k4[i, j])
             if (n + 1) % steps == 0:
                 segment = n // steps
                 for i in range(6):
-                    missed[segment, i] = now[i] - (goal[i] if n + 1 == last else Y[i, n + 1])
-                    V[i, 6] += missed[segment, i]
+                    defects[segment, i] = now[i] - (goal[i] if n + 1 == last else Y[i, n + 1])
+                    V[i, 6] += defects[segment, i]
                     for j in range(7):
                         sensitivity[segment, i, j] = V[i, j]
                 if n + 1 < last:
                     m = n + 1
                     now = (Y[0, m], Y[1, m], Y[2, m], Y[3, m], Y[4, m], Y[5, m])
 
-    return kept(shoot, fast=True)
+    return jit_cached(shoot, fast=True)
 
 
 def linearised(tau, Y, V, p, pitch_bounds, f, parameters, dV):
@@ -117,7 +117,7 @@ def linearised(tau, Y, V, p, pitch_bounds, f, parameters, dV):
     return constrained_rhs(Y, motion, parameters)
 
 
-def varied(V, h, dV, W):
+def add_scaled(V, h, dV, W):
     """Fills in W = V + h dV, all (6, 7)."""
     for i in range(6):
         for j in range(7):
@@ -139,7 +139,7 @@ def interpolation_kernel() -> Callable:
                 values[i, k] = Y[i, n] + s * (start + s * bend)
         return values
 
-    return kept(interpolate, fast=True)
+    return jit_cached(interpolate, fast=True)
 
 
 class Shot(NamedTuple):
@@ -148,13 +148,13 @@ class Shot(NamedTuple):
     Y: np.ndarray  # (6, N + 1) states
     dY: np.ndarray  # (6, N + 1) their derivatives
     p: np.ndarray
-    missed: np.ndarray  # (S, 6)
+    defects: np.ndarray  # (S, 6)
     sensitivity: np.ndarray  # (S, 6, 7), see `shooting_kernel`
 
     @property
     def nodes(self) -> np.ndarray:
         """States (6, S + 1) at the ends of the segments."""
-        return self.Y[:, :: self.Y.shape[1] // len(self.missed)]
+        return self.Y[:, :: self.Y.shape[1] // len(self.defects)]
 
 
 def shooter(problem: ConstrainedProblem, steps: int) -> Callable[[np.ndarray, np.ndarray], Shot]:
@@ -174,19 +174,19 @@ def shooter(problem: ConstrainedProblem, steps: int) -> Callable[[np.ndarray, np
         new = Shot(Y, np.empty_like(Y), p, np.empty((segments, 6)), np.empty((segments, 6, 7)))
         Y[:, ::steps] = nodes
         Y[:, 0] = start
-        kernel(Y, p, *arguments, new.dY, new.missed, new.sensitivity)
+        kernel(Y, p, *arguments, new.dY, new.defects, new.sensitivity)
         return new
 
     return shoot
 
 
-def joined(problem: ConstrainedProblem, nodes: np.ndarray, p: np.ndarray, steps: int = SEARCH) -> Shot | None:
+def solve_newton(problem: ConstrainedProblem, nodes: np.ndarray, p: np.ndarray, steps: int = SEARCH) -> Shot | None:
     """The flight from such a guess, whose segments join, by damped Newton steps; None if these do not converge."""
     shoot = shooter(problem, steps)
     with np.errstate(all="ignore"):  # a diverging iteration overflows before it gives up
         now = shoot(nodes, p)
         for _ in range(ITERATIONS):
-            if np.abs(now.missed).max() < CLOSE[steps]:
+            if np.abs(now.defects).max() < CLOSE[steps]:
                 return now
             new = improved(now, shoot)
             if new is None:
@@ -202,12 +202,12 @@ def improved(now: Shot, shoot: Callable[[np.ndarray, np.ndarray], Shot]) -> Shot
         dp = -np.linalg.solve(by_p[-1], by_missed[-1])
     except np.linalg.LinAlgError:
         return None
-    change = np.zeros((6, len(now.missed) + 1))
+    change = np.zeros((6, len(now.defects) + 1))
     change[:, 1:] = (by_p @ dp + by_missed).T
-    missed, share = (now.missed**2).sum(), 1.0
+    defects, share = (now.defects**2).sum(), 1.0
     while share >= LEAST_STEP:
         new = shoot(now.nodes + share * change, now.p + share * dp)
-        if (new.missed**2).sum() <= (1.0 - 0.5 * share) * missed:
+        if (new.defects**2).sum() <= (1.0 - 0.5 * share) * defects:
             return new
         share *= 0.5
     return None
@@ -230,12 +230,12 @@ def unconstrained_guess(maneuver: Maneuver) -> Solution | None:
         if np.abs(y2).max() >= 0.5 * math.pi:
             return None
         tangent = np.tan(y2)
-        missed = weights @ tangent - [0.0, maneuver.goal[0] - maneuver.start[0]]
-        if np.abs(missed).max() < 1e-9:
+        defects = weights @ tangent - [0.0, maneuver.goal[0] - maneuver.start[0]]
+        if np.abs(defects).max() < 1e-9:
             deta = integrated(slope * tangent, h)
             eta = maneuver.start[0] + integrated(deta, h)
             return Solution(T * share[::SEARCH], np.stack((eta, deta))[:, ::SEARCH], p)
-        p = p - np.linalg.solve((weights * (1.0 + tangent**2)) @ bumps.T, missed)
+        p = p - np.linalg.solve((weights * (1.0 + tangent**2)) @ bumps.T, defects)
     return None
 
 
@@ -289,7 +289,7 @@ def solve_by_shooting(maneuver: Maneuver, check: Callable[[], None] = unchecked)
         ratio = duration / shorter
         rates = np.array([1.0, ratio] * 3)[:, None]
         problem = ConstrainedProblem(replace(maneuver, duration=shorter), check)
-        nearer = joined(problem, rates * found.nodes, ratio**2 * found.p)
+        nearer = solve_newton(problem, rates * found.nodes, ratio**2 * found.p)
         if nearer is not None:
             duration, found = shorter, nearer
         else:
@@ -301,7 +301,7 @@ def solve_by_shooting(maneuver: Maneuver, check: Callable[[], None] = unchecked)
 def solve_near(maneuver: Maneuver, near: Trajectory, check: Callable[[], None] = unchecked) -> Solution | None:
     """A solution of (38), straight from a plan of a similar maneuver; None if it leads to none."""
     problem = ConstrainedProblem(maneuver, check)
-    found = joined(problem, *guess_from(problem, near))
+    found = solve_newton(problem, *guess_from(problem, near))
     return found and refined(problem, found)
 
 
@@ -313,7 +313,7 @@ def first_shot(maneuver: Maneuver, check: Callable[[], None]) -> tuple[float, Sh
         if unconstrained is not None:
             problem = ConstrainedProblem(longer, check)
             guess = problem.guess(unconstrained)
-            found = joined(problem, guess.Y, guess.p)
+            found = solve_newton(problem, guess.Y, guess.p)
             if found is not None:
                 return longer.duration, found
     return math.inf, None
@@ -321,7 +321,7 @@ def first_shot(maneuver: Maneuver, check: Callable[[], None]) -> tuple[float, Sh
 
 def refined(problem: ConstrainedProblem, found: Shot) -> Solution | None:
     """The solution that is close, in finer steps."""
-    fine = joined(problem, found.nodes, found.p, FINE)
+    fine = solve_newton(problem, found.nodes, found.p, FINE)
     if fine is None:
         return None
     t = np.linspace(0.0, problem.maneuver.duration, fine.Y.shape[1])

@@ -4,10 +4,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from heli_gym.baselines.paper.riccati import integrate, jacobians_along
 from numpy.typing import ArrayLike
 from scipy.linalg import expm, schur, solve_continuous_are
 
+from heli_gym.baselines.paper.riccati import integrate, jacobians_along
 from heli_gym.model import hover_input, linearise, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.trajectory import Trajectory

@@ -10,10 +10,10 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
-from heli_gym.baselines.paper.boundary_value import sample_times
-from heli_gym.baselines.paper.normal_form import thrust_bounds
 from scipy.interpolate import CubicHermiteSpline
 
+from heli_gym.baselines.paper.boundary_value import sample_times
+from heli_gym.baselines.paper.normal_form import thrust_bounds
 from heli_gym.model import dynamics, hover_input, virtual_input, voltage
 from heli_gym.trajectory import Maneuver, Trajectory
 

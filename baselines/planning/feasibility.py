@@ -55,7 +55,7 @@ def start_clock(maneuver: Maneuver, time_limit: float | None) -> TimeLimit:
     return TimeLimit(maneuver, seconds, time.perf_counter() + seconds)
 
 
-def no_plan(maneuver: Maneuver, shortest: Trajectory | None) -> InfeasibleManeuver:
+def infeasible(maneuver: Maneuver, shortest: Trajectory | None) -> InfeasibleManeuver:
     """What to say of a maneuver, given the shortest plan of the same that was found."""
     if shortest is None:
         return InfeasibleManeuver(f"no plan for {maneuver}, nor for the same in any other time")
@@ -76,7 +76,7 @@ def no_plan(maneuver: Maneuver, shortest: Trajectory | None) -> InfeasibleManeuv
     )
 
 
-def checked(maneuver: Maneuver, trajectory: Trajectory | None) -> Trajectory | None:
+def validated(maneuver: Maneuver, trajectory: Trajectory | None) -> Trajectory | None:
     """The trajectory if it keeps what `plan` promises, found by replaying its voltages through (3)."""
     from heli_gym.baselines.planning.replay import replay  # compiles, or loads what was compiled before
 

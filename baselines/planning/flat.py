@@ -4,10 +4,10 @@
 """
 
 import numpy as np
-from heli_gym.baselines.paper.boundary_value import sample_times
-from heli_gym.baselines.paper.normal_form import feedforward
 from numpy.polynomial import Polynomial
 
+from heli_gym.baselines.paper.boundary_value import sample_times
+from heli_gym.baselines.paper.normal_form import feedforward
 from heli_gym.model import fan_thrusts, voltage
 from heli_gym.trajectory import Maneuver, Trajectory
 

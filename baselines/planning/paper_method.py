@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
+
 from heli_gym.baselines.paper.boundary_value import FINE, ConstrainedProblem, Solution, solve_unconstrained
 from heli_gym.baselines.paper.shooting import solve_by_shooting, solve_near
 from heli_gym.baselines.planning.feasibility import (
@@ -10,11 +11,10 @@ from heli_gym.baselines.planning.feasibility import (
     LENGTHENING,
     SHORTEST,
     TimeLimit,
-    checked,
-    no_plan,
+    infeasible,
     start_clock,
+    validated,
 )
-
 from heli_gym.trajectory import Maneuver, Trajectory
 
 FARTHEST, NEAREST = (
@@ -25,11 +25,13 @@ FARTHEST, NEAREST = (
 
 def plan_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Section III-D, by shooting, or else by collocation, from (14) or by shortening."""
-    trajectory = shot(maneuver, clock) or checked_solution(maneuver, solve_from_unconstrained(maneuver, clock), clock)
+    trajectory = plan_by_shooting(maneuver, clock) or checked_solution(
+        maneuver, solve_from_unconstrained(maneuver, clock), clock
+    )
     if trajectory is None:
         trajectory, found = shortened(maneuver, clock)
         if trajectory is None:
-            raise no_plan(maneuver, shortest_checked(maneuver, found, clock))
+            raise infeasible(maneuver, shortest_checked(maneuver, found, clock))
     return trajectory
 
 
@@ -38,20 +40,20 @@ def plan_fastest_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     _, found = shortened(replace(maneuver, duration=SHORTEST), clock)
     fastest = shortest_checked(maneuver, found, clock)
     if fastest is None or fastest.duration > maneuver.duration:
-        raise no_plan(maneuver, fastest)
+        raise infeasible(maneuver, fastest)
     return fastest
 
 
-def shot(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
+def plan_by_shooting(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
     """Section III-D by shooting, if that leads to a solution and this passes the check."""
     solution = solve_by_shooting(maneuver, check=clock.check)
-    return checked(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution))
+    return validated(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution))
 
 
-def shot_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
+def plan_by_shooting_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
     """The same, straight from a plan of a similar maneuver."""
     solution = solve_near(maneuver, near, clock.check)
-    return checked(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution))
+    return validated(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution))
 
 
 def solve_from_unconstrained(maneuver: Maneuver, clock: TimeLimit | None = None) -> Solution | None:
@@ -107,7 +109,7 @@ def first_solution(maneuver: Maneuver, clock: TimeLimit) -> Solution:
             solution = solve_from_unconstrained(replace(maneuver, duration=duration), clock)
             if solution is not None:
                 return solution
-    raise no_plan(maneuver, None)
+    raise infeasible(maneuver, None)
 
 
 def shortest_checked(maneuver: Maneuver, found: list[Solution], clock: TimeLimit) -> Trajectory | None:
@@ -123,4 +125,4 @@ def checked_solution(maneuver: Maneuver, solution: Solution | None, clock: TimeL
     """The trajectory of a solution of (38), refined, if it passes the check."""
     problem = ConstrainedProblem(maneuver, clock.check)
     fine = solution and problem.solve(solution, FINE)
-    return checked(maneuver, fine and problem.trajectory(fine))
+    return validated(maneuver, fine and problem.trajectory(fine))

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
+
 from heli_gym.baselines.paper.boundary_value import FINE, solve_unconstrained, unconstrained_trajectory
 from heli_gym.baselines.planning import spline
 from heli_gym.baselines.planning.collocation import collocated_trajectory
@@ -14,13 +15,17 @@ from heli_gym.baselines.planning.feasibility import (
     SHORTEST,
     InfeasibleManeuver,
     TimeLimit,
-    checked,
-    no_plan,
+    infeasible,
     start_clock,
+    validated,
 )
 from heli_gym.baselines.planning.flat import flat_trajectory
-from heli_gym.baselines.planning.paper_method import plan_fastest_paper, plan_paper, shot, shot_near
-
+from heli_gym.baselines.planning.paper_method import (
+    plan_by_shooting,
+    plan_by_shooting_near,
+    plan_fastest_paper,
+    plan_paper,
+)
 from heli_gym.parameters import Limits
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -111,11 +116,11 @@ def plan_fastest(
         raise ValueError(f"reserve = {reserve!r}: at least 0 and less than 1 is needed")
     if maneuver.start == maneuver.goal:
         raise ValueError(f"goal = {maneuver.goal}: another point than the start is needed")
-    asked = replace(maneuver, limits=reserved(maneuver.limits, reserve))
-    return replace(FASTEST[method](asked, start_clock(maneuver, time_limit)), limits=maneuver.limits)
+    requested = replace(maneuver, limits=with_pitch_reserve(maneuver.limits, reserve))
+    return replace(FASTEST[method](requested, start_clock(maneuver, time_limit)), limits=maneuver.limits)
 
 
-def reserved(limits: Limits, reserve: float) -> Limits:
+def with_pitch_reserve(limits: Limits, reserve: float) -> Limits:
     """Narrower windows of voltages and pitch, by a share, about the same centres."""
     (u_min, u_max), (pitch_min, pitch_max) = (
         (low + 0.5 * reserve * (high - low), high - 0.5 * reserve * (high - low))
@@ -129,39 +134,43 @@ def reserved(limits: Limits, reserve: float) -> Limits:
 
 def plan_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """The paper's plan, where shooting finds one, or else a spline."""
-    trajectory = shot(maneuver, clock)
+    trajectory = plan_by_shooting(maneuver, clock)
     return plan_spline(maneuver, clock) if trajectory is None else trajectory
 
 
 def auto_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
     """The same from a plan of a similar maneuver, if that leads anywhere."""
-    return shot_near(maneuver, near, clock) or shot(maneuver, clock) or spline_near(maneuver, near, clock)
+    return (
+        plan_by_shooting_near(maneuver, near, clock)
+        or plan_by_shooting(maneuver, clock)
+        or spline_near(maneuver, near, clock)
+    )
 
 
 def spline_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
     """The smoothest spline from a plan of a similar maneuver, if that leads anywhere."""
-    return checked(maneuver, spline.plan_near(maneuver, near))
+    return validated(maneuver, spline.plan_near(maneuver, near))
 
 
 def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """The smoothest spline from a plain guess, or else from the fastest one, if that is fast enough."""
-    trajectory = checked(maneuver, spline.plan_smoothest(maneuver))
+    trajectory = validated(maneuver, spline.plan_smoothest(maneuver))
     if trajectory is not None:
         return trajectory
     fastest, _ = fastest_spline(maneuver, clock)
     if fastest.duration <= maneuver.duration:
-        trajectory = checked(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check))
+        trajectory = validated(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check))
         if trajectory is not None:
             return trajectory
     for margin in MARGINS:
         longer = replace(maneuver, duration=(1.0 + margin) * max(fastest.duration, maneuver.duration))
-        if checked(longer, spline.plan_lengthened(longer, fastest, clock.check)) is not None:
+        if validated(longer, spline.plan_lengthened(longer, fastest, clock.check)) is not None:
             raise InfeasibleManeuver(
                 f"no plan for {maneuver}; the shortest found takes {longer.duration:.2f} s: "
-                f"{obstacles(longer, fastest)}",
+                f"{binding_limits(longer, fastest)}",
                 longer.duration,
             )
-    raise InfeasibleManeuver(f"no plan for {maneuver}: {obstacles(maneuver, fastest)}")
+    raise InfeasibleManeuver(f"no plan for {maneuver}: {binding_limits(maneuver, fastest)}")
 
 
 def plan_fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
@@ -170,7 +179,7 @@ def plan_fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     if fastest.duration > maneuver.duration:
         raise InfeasibleManeuver(
             f"no plan for {maneuver}; the shortest found takes {fastest.duration:.2f} s: "
-            f"{obstacles(maneuver, fastest)}",
+            f"{binding_limits(maneuver, fastest)}",
             fastest.duration,
         )
     return trajectory
@@ -186,12 +195,12 @@ def fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> tuple[spline.Spline,
         if found is None:
             break
         fastest, trajectory = found[0], replace(found[1], limits=limits)
-        if checked(replace(maneuver, duration=fastest.duration), trajectory) is not None:
+        if validated(replace(maneuver, duration=fastest.duration), trajectory) is not None:
             return fastest, trajectory
     raise InfeasibleManeuver(f"no plan for {maneuver}, nor for the same in any other time")
 
 
-def obstacles(maneuver: Maneuver, fastest: spline.Spline) -> str:
+def binding_limits(maneuver: Maneuver, fastest: spline.Spline) -> str:
     """What is in the way of a faster plan: the limits, and by their multipliers what a little more would save."""
     limits, p = maneuver.limits, maneuver.parameters
     low, high, pitch_low, pitch_high = fastest.duration * fastest.multipliers
@@ -209,9 +218,9 @@ def obstacles(maneuver: Maneuver, fastest: spline.Spline) -> str:
 
 def plan_flat(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Polynomials in the flat outputs."""
-    trajectory = checked(maneuver, flat_trajectory(maneuver))
+    trajectory = validated(maneuver, flat_trajectory(maneuver))
     if trajectory is None:
-        raise no_plan(maneuver, flat_above(maneuver, maneuver.duration, clock))
+        raise infeasible(maneuver, flat_above(maneuver, maneuver.duration, clock))
     return trajectory
 
 
@@ -219,7 +228,7 @@ def plan_fastest_flat(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Polynomials in the flat outputs, as fast as the limits permit."""
     fastest = flat_above(maneuver, 0.0, clock)
     if fastest is None or fastest.duration > maneuver.duration:
-        raise no_plan(maneuver, fastest)
+        raise infeasible(maneuver, fastest)
     return fastest
 
 
@@ -229,7 +238,7 @@ def flat_above(maneuver: Maneuver, shortest: float, clock: TimeLimit) -> Traject
     def attempt(duration: float) -> Trajectory | None:
         clock.check()
         longer = replace(maneuver, duration=duration)
-        return checked(longer, flat_trajectory(longer))
+        return validated(longer, flat_trajectory(longer))
 
     slow, best = max(shortest, SHORTEST), None
     for _ in range(ATTEMPTS):
@@ -246,10 +255,10 @@ def flat_above(maneuver: Maneuver, shortest: float, clock: TimeLimit) -> Traject
 
 def plan_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Least effort, by direct collocation."""
-    trajectory = checked(maneuver, collocated_trajectory(maneuver, "effort", clock.left))
+    trajectory = validated(maneuver, collocated_trajectory(maneuver, "effort", clock.left))
     if trajectory is None:
         clock.check()
-        raise no_plan(maneuver, collocated_above(maneuver, clock))
+        raise infeasible(maneuver, collocated_above(maneuver, clock))
     return trajectory
 
 
@@ -257,7 +266,7 @@ def plan_fastest_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory
     """Least time, by direct collocation."""
     fastest = collocated_above(maneuver, clock)
     if fastest is None or fastest.duration > maneuver.duration:
-        raise no_plan(maneuver, fastest)
+        raise infeasible(maneuver, fastest)
     return fastest
 
 
@@ -266,7 +275,7 @@ def collocated_above(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
     easy = replace(maneuver, duration=max(maneuver.duration, spline.easy_duration(maneuver)))
     trajectory = collocated_trajectory(easy, "time", clock.left)
     clock.check()
-    return trajectory and checked(replace(maneuver, duration=trajectory.duration), trajectory)
+    return trajectory and validated(replace(maneuver, duration=trajectory.duration), trajectory)
 
 
 METHODS: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
@@ -278,7 +287,7 @@ METHODS: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
 }
 NEARBY: dict[str, Callable[[Maneuver, Trajectory, TimeLimit], Trajectory | None]] = {
     "auto": auto_near,
-    "paper": shot_near,
+    "paper": plan_by_shooting_near,
     "spline": spline_near,
 }
 FASTEST: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {

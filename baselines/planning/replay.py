@@ -8,8 +8,8 @@ from collections.abc import Callable
 from functools import cache
 
 import numpy as np
-from heli_gym.baselines.compilation import kept
 
+from heli_gym.baselines.compilation import jit_cached
 from heli_gym.model import dynamics
 from heli_gym.parameters import HelicopterParameters
 
@@ -66,7 +66,7 @@ def replay_kernel() -> Callable:
             h *= min(5.0, max(0.2, 0.9 * max(error, 1e-12) ** -0.2))
         return x, low, high
 
-    return kept(replay)
+    return jit_cached(replay)
 
 
 def replay(x: np.ndarray, v: np.ndarray, duration: float, parameters: HelicopterParameters) -> tuple:

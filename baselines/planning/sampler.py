@@ -4,9 +4,9 @@ import math
 from dataclasses import dataclass, field
 
 import numpy as np
-from heli_gym.baselines.planning import spline
-from heli_gym.baselines.planning.feasibility import checked
 
+from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning.feasibility import validated
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -53,7 +53,7 @@ class ManeuverSampler:
         """The plan of a random transition. Raises RuntimeError if there hardly is any in this duration."""
         for _ in range(DRAWS):
             maneuver = self.maneuver(rng.uniform(*self.travel), *rng.uniform(*self.elevation, size=2))
-            trajectory = checked(maneuver, spline.plan_smoothest(maneuver))
+            trajectory = validated(maneuver, spline.plan_smoothest(maneuver))
             if trajectory is not None:
                 return trajectory
         raise RuntimeError(f"none of {DRAWS} draws of {self} could be planned; a longer duration is easier")

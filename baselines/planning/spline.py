@@ -12,9 +12,9 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+
 from heli_gym.baselines.paper.boundary_value import RISE, sample_times
 from heli_gym.baselines.paper.normal_form import thrust_bounds
-
 from heli_gym.model import voltage
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -90,7 +90,9 @@ def fastest(maneuver: Maneuver, start: Spline, thrusts: tuple[float, float], bar
     return optimise(maneuver, start, thrusts, start.duration, ROUGHNESS, 1.0, barrier, SOONEST, ITERATIONS["fastest"])
 
 
-def optimise(maneuver, start, thrusts, duration, roughness, haste, barrier, last_barrier, iterations) -> Spline | None:
+def optimise(
+    maneuver, start, thrusts, duration, roughness, time_weight, barrier, last_barrier, iterations
+) -> Spline | None:
     """One run of the interior-point method, within bounds of the thrusts in N; None if it does not converge."""
     from heli_gym.baselines.planning.spline_kernel import solve  # compiles, or loads what was compiled before
 
@@ -105,13 +107,13 @@ def optimise(maneuver, start, thrusts, duration, roughness, haste, barrier, last
         maneuver.limits.pitch,
         model_of(maneuver),
         rates,
-        haste,
+        time_weight,
         barrier,
         last_barrier,
         TOLERANCE,
         iterations,
     )
-    return Spline(coefficients, s**-0.5 if haste else duration, multipliers) if converged else None
+    return Spline(coefficients, s**-0.5 if time_weight else duration, multipliers) if converged else None
 
 
 def model_of(maneuver: Maneuver) -> tuple[float, ...]:

@@ -99,7 +99,7 @@ def derivatives(y1, y2, A1, model, D, H):
 
 
 @njit(cache=True)
-def evaluate(c, s, travel, smooth, haste, model, points, f):
+def evaluate(c, s, travel, smooth, time_weight, model, points, f):
     """Fills in the thrusts f (2 K,); returns the objective and the two equations that the travel must meet."""
     B, ddB, first, tau, weight = points
     e1, e2 = 0.0, -travel * s
@@ -108,7 +108,7 @@ def evaluate(c, s, travel, smooth, haste, model, points, f):
         f[2 * p], f[2 * p + 1], ddeta = inverse_dynamics(y1, y2, s * d1, s * d2, model)
         e1 += weight[p] * ddeta
         e2 += weight[p] * (1.0 - tau[p]) * ddeta
-    objective = -0.5 * haste * math.log(s)
+    objective = -0.5 * time_weight * math.log(s)
     for j in range(len(c) - 3):
         for o in range(2):
             objective += 0.5 * smooth[o] * (c[j + 3, o] - c[j, o] + 3.0 * (c[j + 1, o] - c[j + 2, o])) ** 2
@@ -116,7 +116,7 @@ def evaluate(c, s, travel, smooth, haste, model, points, f):
 
 
 @njit(cache=True)
-def assemble(c, s, y, stiffness, lam1, lam2, travel, smooth, haste, model, points, F, M, G, g):
+def assemble(c, s, y, stiffness, lam1, lam2, travel, smooth, time_weight, model, points, F, M, G, g):
     """The Hessian of the Lagrangian, the stiffness of the thrusts' barrier included, and the first derivatives.
 
     Fills in the thrusts' gradients F (2 K, 4) by (y1, A1, y2, A2), the Hessian's lower band M (N, BAND) by the
@@ -129,7 +129,7 @@ def assemble(c, s, y, stiffness, lam1, lam2, travel, smooth, haste, model, point
     G[:] = 0.0
     g[:] = 0.0
     D, H, L, Q, mixed = np.zeros((3, 4)), np.zeros((3, 4, 4)), np.zeros((4, 4)), np.zeros((8, 4)), np.zeros(4)
-    ss, es1, es2 = 0.5 * haste / s**2, 0.0, -travel
+    ss, es1, es2 = 0.5 * time_weight / s**2, 0.0, -travel
     for p in range(len(tau)):
         y1, y2, d1, d2 = outputs(c, B, ddB, first, p)
         derivatives(y1, y2, s * d1, model, D, H)
@@ -180,7 +180,7 @@ def assemble(c, s, y, stiffness, lam1, lam2, travel, smooth, haste, model, point
 
 
 @njit(cache=True)
-def pulled(force, F, c, s, points, g):
+def vjp(force, F, c, s, points, g):
     """Adds to g the gradient of force (2 K,) times the thrusts; returns its derivative by s."""
     B, ddB, first, tau, _ = points
     by_s = 0.0
@@ -202,7 +202,7 @@ def pulled(force, F, c, s, points, g):
 
 
 @njit(cache=True)
-def pushed(dx, ds, F, c, s, points, df):
+def jvp(dx, ds, F, c, s, points, df):
     """Adds to df (2 K,) the change of the thrusts with the coefficients and s."""
     B, ddB, first, tau, _ = points
     for p in range(len(tau)):
@@ -256,7 +256,7 @@ def substitute(L, b):
 
 
 @njit(cache=True)
-def bordered(G, columns, g, ss, gs, es, e, fixed):
+def schur_step(G, columns, g, ss, gs, es, e, fixed):
     """The step of s and the new multipliers (3,), given columns = M^-1 (G, -g); NaN where that does not lead downhill.
 
     With two equations, of the three eigenvalues of their matrix two must be negative and one positive.
@@ -303,7 +303,7 @@ def newton_step(M, G, g, ss, gs, es, e, fixed, damping, columns, L, dx):
             for n in range(len(g)):
                 columns[n, 0], columns[n, 1], columns[n, 2], columns[n, 3] = G[n, 0], G[n, 1], G[n, 2], -g[n]
             substitute(L, columns)
-            ds, lam1, lam2 = bordered(G, columns, g, ss + damping, gs, es, e, fixed)
+            ds, lam1, lam2 = schur_step(G, columns, g, ss + damping, gs, es, e, fixed)
             if not math.isnan(ds):
                 for n in range(len(g)):
                     dx[n] = columns[n, 3] - ds * columns[n, 0] - lam1 * columns[n, 1] - lam2 * columns[n, 2]
@@ -356,7 +356,7 @@ def dual_step(mu, w, dw, low, high, zl, zu, dzl, dzu):
 
 
 @njit(cache=True)
-def mismatch(mu, w, low, high, zl, zu, r, gradient):
+def kkt_residual(mu, w, low, high, zl, zu, r, gradient):
     """What is left of the equations of the bounds, and of stationarity and complementarity, these scaled."""
     missed = residual = total = 0.0
     for k in range(len(w)):
@@ -369,7 +369,7 @@ def mismatch(mu, w, low, high, zl, zu, r, gradient):
 
 
 @njit(cache=True)
-def solve(c, s, travel, thrust, pitch, model, smooth, haste, mu, last_mu, tolerance, iterations):
+def solve(c, s, travel, thrust, pitch, model, smooth, time_weight, mu, last_mu, tolerance, iterations):
     """Minimises haste log(T) + smoothness, the barrier being lowered from mu to last_mu.
 
     Args:
@@ -385,7 +385,7 @@ def solve(c, s, travel, thrust, pitch, model, smooth, haste, mu, last_mu, tolera
         Whether it converged, the iterations taken, c, s, and the sums of the multipliers of the lower and upper bounds
         of the thrusts, then of the pitch (4,).
     """
-    segments, fixed = len(c) - 3, haste == 0.0
+    segments, fixed = len(c) - 3, time_weight == 0.0
     points, free = tables(segments), segments - 3
     count, unknowns = 2 * (3 * segments + 1), 2 * free
     size = count + free
@@ -402,7 +402,7 @@ def solve(c, s, travel, thrust, pitch, model, smooth, haste, mu, last_mu, tolera
     for i in range(free):
         inside = CLOSEST * (pitch[1] - pitch[0])
         w[count + i] = c[3 + i, 1] = min(max(c[3 + i, 1], pitch[0] + inside), pitch[1] - inside)
-    objective, e1, e2 = evaluate(c, s, travel, smooth, haste, model, points, f)
+    objective, e1, e2 = evaluate(c, s, travel, smooth, time_weight, model, points, f)
     for k in range(size):
         if k < count:
             inside = CLOSEST * (thrust[1] - thrust[0])
@@ -414,14 +414,16 @@ def solve(c, s, travel, thrust, pitch, model, smooth, haste, mu, last_mu, tolera
         for k in range(count):
             r[k] = f[k] - w[k]
         duals(mu, w, low, high, zl, zu, r, y, stiffness, force)
-        ss, es1, es2 = assemble(c, s, y, stiffness, lam1, lam2, travel, smooth, haste, model, points, F, M, G, direct)
+        ss, es1, es2 = assemble(
+            c, s, y, stiffness, lam1, lam2, travel, smooth, time_weight, model, points, F, M, G, direct
+        )
         for i in range(unknowns):
             g[i] = direct[i] + lam1 * G[i, 1] + lam2 * G[i, 2]
-        gs = pulled(y, F, c, s, points, g) - 0.5 * haste / s + lam1 * es1 + lam2 * es2
+        gs = vjp(y, F, c, s, points, g) - 0.5 * time_weight / s + lam1 * es1 + lam2 * es2
         for i in range(free):
             g[2 * i + 1] += y[count + i]
             M[2 * i + 1, 0] += stiffness[count + i]
-        missed, residual = mismatch(mu, w, low, high, zl, zu, r, g)
+        missed, residual = kkt_residual(mu, w, low, high, zl, zu, r, g)
         missed, residual = max(missed, abs(e1), abs(e2)), residual if fixed else max(residual, s * abs(gs))
         error = max(missed, residual)
         if mu <= last_mu and missed < tolerance and error < 10.0 * mu:
@@ -434,7 +436,7 @@ def solve(c, s, travel, thrust, pitch, model, smooth, haste, mu, last_mu, tolera
         duals(mu, w, low, high, zl, zu, r, y, stiffness, force)
         for i in range(unknowns):
             g[i] = direct[i]
-        gs = pulled(force, F, c, s, points, g) - 0.5 * haste / s
+        gs = vjp(force, F, c, s, points, g) - 0.5 * time_weight / s
         for i in range(free):
             g[2 * i + 1] += force[count + i]
         damping = damping / 8.0 if damping > DAMPING else 0.0
@@ -445,14 +447,14 @@ def solve(c, s, travel, thrust, pitch, model, smooth, haste, mu, last_mu, tolera
             break
         for k in range(size):
             dw[k] = r[k]
-        pushed(dx, ds, F, c, s, points, dw)
+        jvp(dx, ds, F, c, s, points, dw)
         for i in range(free):
             dw[count + i] = dx[2 * i + 1]
         step, dual = dual_step(mu, w, dw, low, high, zl, zu, dzl, dzu)
         if not fixed:
             step = min(step, 0.5 * s / max(abs(ds), TINY))
 
-        missing, slope = abs(e1) + abs(e2), -0.5 * haste * ds / s
+        missing, slope = abs(e1) + abs(e2), -0.5 * time_weight * ds / s
         for i in range(unknowns):
             slope += direct[i] * dx[i]
         for k in range(size):
@@ -467,7 +469,7 @@ def solve(c, s, travel, thrust, pitch, model, smooth, haste, mu, last_mu, tolera
             for i in range(free):
                 new_c[3 + i, 0] = c[3 + i, 0] + step * dx[2 * i]
                 new_c[3 + i, 1] = c[3 + i, 1] + step * dx[2 * i + 1]
-            objective, e1, e2 = evaluate(new_c, new_s, travel, smooth, haste, model, points, f)
+            objective, e1, e2 = evaluate(new_c, new_s, travel, smooth, time_weight, model, points, f)
             after = objective + penalty * (abs(e1) + abs(e2))
             for k in range(size):
                 new_w[k] = w[k] + step * dw[k]
@@ -485,7 +487,7 @@ def solve(c, s, travel, thrust, pitch, model, smooth, haste, mu, last_mu, tolera
                 zl[k] += dual * dzl[k]
                 zu[k] += dual * dzu[k]
         else:  # once more, and more carefully
-            objective, e1, e2 = evaluate(c, s, travel, smooth, haste, model, points, f)
+            objective, e1, e2 = evaluate(c, s, travel, smooth, time_weight, model, points, f)
             damping = max(1.0, 64.0 * damping)
     sums = np.zeros(4)
     for k in range(size):

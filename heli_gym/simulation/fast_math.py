@@ -59,13 +59,13 @@ def standard_normal(key: Any, step: Any, channel: int) -> Any:
     SplitMix64 (Steele, Lea, Flood, 2014) of a counter gives two uniform numbers, Box and Muller's transform the rest.
     """
     counter = np.uint64(key * 2.0**53) + np.uint64(0x9E3779B97F4A7C15) * np.uint64(step * NORMALS_PER_STEP + channel)
-    z = scrambled(counter)
+    z = splitmix64(counter)
     u1 = (np.float64(z >> np.uint64(32)) + 0.5) * 2.0**-32
     u2 = np.float64(z & np.uint64(0xFFFFFFFF)) * 2.0**-32
     return math.sqrt(-2.0 * math.log(u1)) * math.cos(2.0 * math.pi * u2)
 
 
-def scrambled(z: Any) -> Any:
+def splitmix64(z: Any) -> Any:
     """SplitMix64's output function of a 64-bit integer."""
     z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
     z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)

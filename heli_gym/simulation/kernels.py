@@ -17,9 +17,9 @@ from numba import types
 from numpy import cos, float64, floor, sin
 
 from heli_gym.compilation import Compiler
-from heli_gym.model import dynamics, moved, rk4_step, thrust, virtual_input
+from heli_gym.model import axpy, dynamics, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import encoded, hindered
+from heli_gym.plant import quantise, with_friction_and_disturbances
 from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
 from heli_gym.simulation import fast_math
 from heli_gym.simulation.fast_math import standard_normal
@@ -31,29 +31,29 @@ NOT_NEGATIVE = 2**40 - 1  # a mask that tells the compiler so, that it need not 
 
 # Rows of a block. What a step tells of a helicopter: (44), V, the last reward and cost, how the flight ends, if it
 # does, and the time on its reference:
-X, ASKED, REWARD, COST, TERMINATED, TRUNCATED, SUCCEEDED, TIME = 0, 6, 8, 9, 10, 11, 12, 13
+X, COMMAND, REWARD, COST, TERMINATED, TRUNCATED, SUCCEEDED, TIME = 0, 6, 8, 9, 10, 11, 12, 13
 PITCH = X + 4
 MEASURED = 14  # (44), where sensors are not exact
-TOLD, TOLD_AND_MEASURED = 14, 20  # rows
+N_OUTPUTS, N_OUTPUTS_SENSED = 14, 20  # rows
 # what it remembers besides: voltages in V, the present and the last step of its reference and the first of its rows in
 # the table, a number in [0, 1), and u_min, u_max, pitch_min, pitch_max of its reference:
-MOTOR, ROTOR, STEP, LAST, TABLE, KEY, LIMITS, PITCH_LIMITS = 20, 22, 24, 25, 26, 27, 28, 30
+MOTOR, ROTOR, STEP, LAST, REFERENCE_ROW, KEY, LIMITS, PITCH_LIMITS = 20, 22, 24, 25, 26, 27, 28, 30
 # what it is, in the order of `simulation.numbers`:
 NUMBERS = PARAMETERS = 32
 RIG, RIG_REST, LAG, LOSS, SLEW, DELAY, VISCOUS, COULOMB = 40, 48, 51, 52, 53, 54, 55, 58
 COUNTS, NOISE, RATE_FILTER = 61, 64, 65
 # what follows from that and from the control period, and is kept for speed:
-LAG_KEPT, RATE_KEPT = 66, 67
+LAG_DECAY, RATE_DECAY = 66, 67
 # what is passed on within a step: what the disturbances amount to, the reference's state and nominal voltages, the
 # voltage that arrives at a motor, and noise on the angles:
 TORQUES, A2_CHANGE, EFFECT, REFERENCE, NOMINAL, ARRIVING, ON_ANGLES = 68, 71, 72, 74, 80, 82, 83
 # its disturbances, DISTURBANCE rows each, and after the last one the voltages still delayed, the oldest first:
 DISTURBANCES, DISTURBANCE = 86, 8
-KIND, CHANNEL, AMOUNT, BEGIN, DURATION, CORRELATION, KEPT, GUST = range(8)
-PUSH, WANDER, SLIDE = range(3)
+KIND, CHANNEL, AMOUNT, BEGIN, DURATION, CORRELATION, DECAY, GUST = range(8)
+PULSE, ORNSTEIN_UHLENBECK, RAMP = range(3)
 
 OBSERVED = 8 + FEATURES  # numbers of an observation
-NOT_FINITE, FLYING, CRASHED, MISSED, ARRIVED = -1, 0, 1, 2, 3  # how a step of one helicopter ends
+NOT_FINITE, FLYING, CRASHED, ENDED_OFF_GOAL, ARRIVED = -1, 0, 1, 2, 3  # how a step of one helicopter ends
 # The uniform numbers that a start is made of: for the three angles, the time, the key; then those of the plant.
 START_ANGLES, START_TIME, START_KEY, START_PLANT = 0, 3, 4, 5
 
@@ -90,7 +90,7 @@ class Ranges(NamedTuple):
     count: Any
 
 
-class Window(NamedTuple):
+class LimitArrays(NamedTuple):
     """The limits that `task.cost` reads."""
 
     u_min: Any
@@ -117,14 +117,18 @@ def equation_3(x: Any, v: Any, body: Body) -> tuple:
     return dynamics(x, v, body.parameters, sin, cos)
 
 
-def equation_3_hindered(x: Any, v: Any, body: Body) -> tuple:
+def equation_3_with_disturbances(x: Any, v: Any, body: Body) -> tuple:
     """(3) with friction and disturbances."""
-    return hindered(x, dynamics(x, v, body.parameters, sin, cos), body.viscous, body.coulomb, body.torques, cos)
+    return with_friction_and_disturbances(
+        x, dynamics(x, v, body.parameters, sin, cos), body.viscous, body.coulomb, body.torques, cos
+    )
 
 
-def rigid_body_hindered(x: Any, v: Any, body: Body) -> tuple:
+def rigid_body_with_disturbances(x: Any, v: Any, body: Body) -> tuple:
     """The full rigid body with friction and disturbances."""
-    return hindered(x, rigid_dynamics(x, v, body.rig, sin, cos), body.viscous, body.coulomb, body.torques, cos)
+    return with_friction_and_disturbances(
+        x, rigid_dynamics(x, v, body.rig, sin, cos), body.viscous, body.coulomb, body.torques, cos
+    )
 
 
 derivative = equation_3  # a name that `kernels` binds to the one that is needed
@@ -193,7 +197,7 @@ def command(block: Any, n: int, s: Settings, actions: Any, first: int) -> None:
     """The voltages asked for by the actions, two for each helicopter, within what the amplifier can do."""
     for i in range(n):
         front, back = actions[2 * (first + i)], actions[2 * (first + i) + 1]
-        put_two(block, ASKED, i, (saturated(front, s), saturated(back, s)))
+        put_two(block, COMMAND, i, (saturated(front, s), saturated(back, s)))
 
 
 def saturated(action: Any, s: Settings) -> Any:
@@ -201,15 +205,15 @@ def saturated(action: Any, s: Settings) -> Any:
     return min(max(to_voltage(action, (s.u_low, s.u_high)), s.u_low), s.u_high)
 
 
-def amplify(block: Any, n: int, s: Settings) -> None:
+def apply_amplifier(block: Any, n: int, s: Settings) -> None:
     """The voltages at the motors: those asked for, delayed, and no faster than the amplifier can."""
     delay = int(s.delay)
     pending = DISTURBANCES + DISTURBANCE * int(s.disturbances)
     for motor in range(2):
         for i in range(n):
-            block[ARRIVING * ROW + i] = block[(ASKED + motor) * ROW + i]
+            block[ARRIVING * ROW + i] = block[(COMMAND + motor) * ROW + i]
         for k in range(delay):
-            later = pending + 2 * (k + 1) if k < delay - 1 else ASKED
+            later = pending + 2 * (k + 1) if k < delay - 1 else COMMAND
             for i in range(n):
                 late, own_delay = block[(pending + 2 * k + motor) * ROW + i], block[DELAY * ROW + i]
                 arriving = block[ARRIVING * ROW + i]
@@ -223,18 +227,18 @@ def amplify(block: Any, n: int, s: Settings) -> None:
             block[(ROTOR + motor) * ROW + i] = u if block[LAG * ROW + i] == 0.0 else w  # without lag, at once
 
 
-def blow(block: Any, n: int, s: Settings) -> None:
+def step_gusts(block: Any, n: int, s: Settings) -> None:
     """The next values of all gusts, Ornstein-Uhlenbeck processes, sampled exactly."""
     for d in range(int(s.disturbances)):
         first = DISTURBANCES + DISTURBANCE * d
         for i in range(n):
-            kind, _, strength, _, _, _, kept, gust = eight(block, first, i)
-            if kind == WANDER:
+            kind, _, strength, _, _, _, decay, gust = eight(block, first, i)
+            if kind == ORNSTEIN_UHLENBECK:
                 normal = standard_normal(block[KEY * ROW + i], block[STEP * ROW + i], 3 + d)
-                block[(first + GUST) * ROW + i] = kept * gust + math.sqrt(1.0 - kept * kept) * strength * normal
+                block[(first + GUST) * ROW + i] = decay * gust + math.sqrt(1.0 - decay * decay) * strength * normal
 
 
-def disturb(block: Any, n: int, s: Settings, after: Any, h: Any) -> None:
+def sum_disturbances(block: Any, n: int, s: Settings, after: Any, h: Any) -> None:
     """What the disturbances amount to in h seconds of integration, so many after the start of the control period.
 
     A push counts for the share of them in which it is on, so that its impulse is right whatever its duration.
@@ -244,12 +248,12 @@ def disturb(block: Any, n: int, s: Settings, after: Any, h: Any) -> None:
     for d in range(int(s.disturbances)):
         first = DISTURBANCES + DISTURBANCE * d
         for i in range(n):
-            kind, channel, amount, start, duration, _, _, gust = eight(block, first, i)
-            since = s.period * block[STEP * ROW + i] + after - start
+            kind, channel, amount, init_state, duration, _, _, gust = eight(block, first, i)
+            since = s.period * block[STEP * ROW + i] + after - init_state
             on = min(max(since + h, 0.0), duration) - min(max(since, 0.0), duration)  # finite, if the duration is not
-            if kind == WANDER:
+            if kind == ORNSTEIN_UHLENBECK:
                 value = gust
-            elif kind == SLIDE:
+            elif kind == RAMP:
                 value = amount * min(max((since + 0.5 * h) / duration, 0.0), 1.0)
             else:
                 value = amount * on / h
@@ -268,10 +272,10 @@ def integrate(block: Any, n: int, h: Any) -> None:
         torques = (*three(block, TORQUES, i), block[A2_CHANGE * ROW + i])
         body = Body(p, rig, three(block, VISCOUS, i), three(block, COULOMB, i), torques)
 
-        kept = block[LAG_KEPT * ROW + i]
+        decay = block[LAG_DECAY * ROW + i]
         (u_f, u_b), (w_f, w_b) = two(block, MOTOR, i), two(block, ROTOR, i)
-        middle_f, middle_b = u_f + kept * (w_f - u_f), u_b + kept * (w_b - u_b)
-        end_f, end_b = u_f + kept * (middle_f - u_f), u_b + kept * (middle_b - u_b)
+        middle_f, middle_b = u_f + decay * (w_f - u_f), u_b + decay * (w_b - u_b)
+        end_f, end_b = u_f + decay * (middle_f - u_f), u_b + decay * (middle_b - u_b)
         effect_f, effect_b = two(block, EFFECT, i)
         share = 1.0 - block[LOSS * ROW + i]
         front, back = share * effect_f, share * effect_b
@@ -284,27 +288,27 @@ def integrate(block: Any, n: int, h: Any) -> None:
         put_two(block, ROTOR, i, (end_f, end_b))
 
 
-def fly_hindered(block: Any, n: int, s: Settings) -> None:
+def step_plant(block: Any, n: int, s: Settings) -> None:
     """One control period with all that a plant may add to (3)."""
-    amplify(block, n, s)
+    apply_amplifier(block, n, s)
     h = s.period / s.substeps
     if s.disturbances > 0.0:
-        blow(block, n, s)
+        step_gusts(block, n, s)
     for k in range(int(s.substeps)):
         if s.disturbances > 0.0:
-            disturb(block, n, s, k * h, h)
+            sum_disturbances(block, n, s, k * h, h)
         integrate(block, n, h)
 
 
-def fly_plain(block: Any, n: int, s: Settings) -> None:
-    """One control period of (3) with rotors that follow at once: what `fly_hindered` does then, with less to keep."""
+def step_equation_3(block: Any, n: int, s: Settings) -> None:
+    """One control period of (3) with rotors that follow at once: what `step_plant` does then, with less to keep."""
     for i in range(n):
-        p, (u_f, u_b) = HelicopterParameters(*eight(block, PARAMETERS, i)), two(block, ASKED, i)
+        p, (u_f, u_b) = HelicopterParameters(*eight(block, PARAMETERS, i)), two(block, COMMAND, i)
         v = virtual_input((thrust(u_f, p), thrust(u_b, p)))
         put_six(block, X, i, rk4_step(derivative, six(block, X, i), (v, v, v), s.period, Body(p, (), (), (), ())))
 
 
-fly = fly_hindered  # as `derivative`
+fly = step_plant  # as `derivative`
 
 
 def make_noise(block: Any, n: int, step: int) -> None:
@@ -321,19 +325,19 @@ def measure(block: Any, n: int, s: Settings) -> None:
         for i in range(n):
             true_angle = block[(X + 2 * axis) * ROW + i]
             counts = block[(COUNTS + axis) * ROW + i]
-            told = encoded(true_angle + block[(ON_ANGLES + axis) * ROW + i], max(counts, 1.0), floor)
+            outputs = quantise(true_angle + block[(ON_ANGLES + axis) * ROW + i], max(counts, 1.0), floor)
             last, rate = block[(MEASURED + 2 * axis) * ROW + i], block[(MEASURED + 2 * axis + 1) * ROW + i]
-            kept = block[RATE_KEPT * ROW + i]
-            estimate = kept * rate + (1.0 - kept) * (told - last) / s.period
+            decay = block[RATE_DECAY * ROW + i]
+            estimate = decay * rate + (1.0 - decay) * (outputs - last) / s.period
             true_rate = block[(X + 2 * axis + 1) * ROW + i]
-            block[(MEASURED + 2 * axis) * ROW + i] = true_angle if counts == 0.0 else told
+            block[(MEASURED + 2 * axis) * ROW + i] = true_angle if counts == 0.0 else outputs
             block[(MEASURED + 2 * axis + 1) * ROW + i] = true_rate if counts == 0.0 else estimate
 
 
-def look_up(block: Any, n: int, s: Settings, table: Any) -> None:
+def look_up_reference(block: Any, n: int, s: Settings, table: Any) -> None:
     """On to the next step: the reference's state there, and its nominal voltages on the way."""
     for i in range(n):
-        at = place(block, i)
+        at = reference_row(block, i)
         put_two(block, NOMINAL, i, (table[at + 6], table[at + 7]))
         at += FEATURES
         x_ref = (table[at], table[at + 1], table[at + 2], table[at + 3], table[at + 4], table[at + 5])
@@ -342,14 +346,14 @@ def look_up(block: Any, n: int, s: Settings, table: Any) -> None:
         block[STEP * ROW + i], block[TIME * ROW + i] = step, s.period * step
 
 
-def judge(block: Any, n: int, s: Settings) -> None:
+def compute_reward(block: Any, n: int, s: Settings) -> None:
     """Reward, cost, and whether the flight is over; see `task`."""
     for i in range(n):
-        x, (u_f, u_b) = six(block, X, i), two(block, ASKED, i)
+        x, (u_f, u_b) = six(block, X, i), two(block, COMMAND, i)
         x_ref, (nominal_f, nominal_b) = six(block, REFERENCE, i), two(block, NOMINAL, i)
-        limits = Window(*two(block, LIMITS, i), *two(block, PITCH_LIMITS, i))
+        limits = LimitArrays(*two(block, LIMITS, i), *two(block, PITCH_LIMITS, i))
         step, last = block[STEP * ROW + i], block[LAST * ROW + i]
-        error = moved(x, -1.0, x_ref)
+        error = axpy(x, -1.0, x_ref)
         earned = s.period * reward(error, (u_f - nominal_f, u_b - nominal_b))
         spent = s.period * cost(x[4], (u_f, u_b), limits)
         terminated = 1.0 if crashed(x[4], s.pitch_limit) else 0.0
@@ -366,14 +370,14 @@ def control_step(block: Any, n: int, s: Settings, table: Any) -> None:
         if s.is_noisy > 0.0:
             make_noise(block, n, 1)
         measure(block, n, s)
-    look_up(block, n, s, table)
-    judge(block, n, s)
+    look_up_reference(block, n, s, table)
+    compute_reward(block, n, s)
 
 
-def report(block: Any, n: int, s: Settings, table: Any, first: int, count: int, observation: Any, told: Any) -> None:
+def report(block: Any, n: int, s: Settings, table: Any, first: int, count: int, observation: Any, outputs: Any) -> None:
     """What the helicopters from the first on, of so many, observe and tell."""
-    for row in range(len(told) // count):
-        own = told[row * count + first : row * count + first + n]
+    for row in range(len(outputs) // count):
+        own = outputs[row * count + first : row * count + first + n]
         for i in range(n):
             own[i] = block[row * ROW + i]
     features = len(observation) // count - 8
@@ -386,7 +390,7 @@ def observe(block: Any, i: int, s: Settings, table: Any, features: int, observat
 
     `features` is FEATURES, but the compiler must not know: it would spell the loop out instead of using SIMD.
     """
-    at, to = place(block, i), to & NOT_NEGATIVE
+    at, to = reference_row(block, i), to & NOT_NEGATIVE
     for k in range(features):
         observation[to + 8 + k] = table[at + k]
     measured = six(block, MEASURED, i) if s.is_sensed > 0.0 else six(block, X, i)
@@ -394,19 +398,19 @@ def observe(block: Any, i: int, s: Settings, table: Any, features: int, observat
     observation[to], observation[to + 1] = q1 - table[at], dq1 - table[at + 1]
     observation[to + 2], observation[to + 3] = q2 - table[at + 2], dq2 - table[at + 3]
     observation[to + 4], observation[to + 5] = q3 - table[at + 4], dq3 - table[at + 5]
-    observation[to + 6], observation[to + 7] = two(block, ASKED, i)
+    observation[to + 6], observation[to + 7] = two(block, COMMAND, i)
 
 
-def place(block: Any, i: int) -> int:
+def reference_row(block: Any, i: int) -> int:
     """Where in the table the reference of the helicopter i is now; beyond its end, where it ends."""
     step = min(block[STEP * ROW + i], block[LAST * ROW + i])
-    return FEATURES * ((int(block[TABLE * ROW + i]) + int(step)) & NOT_NEGATIVE)
+    return FEATURES * ((int(block[REFERENCE_ROW * ROW + i]) + int(step)) & NOT_NEGATIVE)
 
 
 # The start of a flight.
 
 
-def draw(block: Any, i: int, ranges: Ranges, j: int, u: Any) -> None:
+def sample_parameters(block: Any, i: int, ranges: Ranges, j: int, u: Any) -> None:
     """The numbers of the plant j, at the uniform numbers u, into the helicopter i of a block."""
     count = ranges.count[j]
     choice = ranges.first[j]
@@ -416,11 +420,11 @@ def draw(block: Any, i: int, ranges: Ranges, j: int, u: Any) -> None:
         value = ranges.low[choice, r]
         if ranges.index[choice, r] > 0:
             value += ranges.span[choice, r] * u[START_PLANT + ranges.index[choice, r]]
-        row = NUMBERS + r if r < LAG_KEPT - NUMBERS else DISTURBANCES + r - (LAG_KEPT - NUMBERS)
+        row = NUMBERS + r if r < LAG_DECAY - NUMBERS else DISTURBANCES + r - (LAG_DECAY - NUMBERS)
         block[row * ROW + i] = value
 
 
-def start(block: Any, i: int, s: Settings, table: Any, initial: Any, u: Any, state: Any, step: Any) -> None:
+def init_state(block: Any, i: int, s: Settings, table: Any, initial: Any, u: Any, state: Any, step: Any) -> None:
     """The helicopter i, as its reference starts or, if there is one, in a state (6,); `initial` are its rows.
 
     At this step of its reference, or where that is negative, at the one that the uniform numbers u say.
@@ -432,7 +436,7 @@ def start(block: Any, i: int, s: Settings, table: Any, initial: Any, u: Any, sta
     elif s.random_start > 0.0:
         block[STEP * ROW + i] = floor(u[START_TIME] * initial[LAST])
     block[TIME * ROW + i] = s.period * block[STEP * ROW + i]
-    at = FEATURES * (int(initial[TABLE]) + int(block[STEP * ROW + i]))
+    at = FEATURES * (int(initial[REFERENCE_ROW]) + int(block[STEP * ROW + i]))
     for k in range(6):
         block[(X + k) * ROW + i] = state[k] if len(state) > 0 else table[at + k]
     if len(state) == 0:
@@ -441,20 +445,20 @@ def start(block: Any, i: int, s: Settings, table: Any, initial: Any, u: Any, sta
         block[PITCH * ROW + i] = min(max(block[PITCH * ROW + i], -s.pitch_limit), s.pitch_limit)
     for motor in range(2):
         if block[STEP * ROW + i] > 0.0:
-            block[(ASKED + motor) * ROW + i] = table[at - FEATURES + 6 + motor]
-        block[(MOTOR + motor) * ROW + i] = block[(ASKED + motor) * ROW + i]
-        block[(ROTOR + motor) * ROW + i] = block[(ASKED + motor) * ROW + i]
+            block[(COMMAND + motor) * ROW + i] = table[at - FEATURES + 6 + motor]
+        block[(MOTOR + motor) * ROW + i] = block[(COMMAND + motor) * ROW + i]
+        block[(ROTOR + motor) * ROW + i] = block[(COMMAND + motor) * ROW + i]
     block[KEY * ROW + i] = u[START_KEY]
 
 
-def settle(block: Any, i: int, s: Settings) -> None:
+def init_derived(block: Any, i: int, s: Settings) -> None:
     """What follows from the numbers of the helicopter i, just drawn; its first measurement, and no voltage on its way.
 
     The first rates are the true ones: what estimates them has been running before.
     """
     lag, h = block[LAG * ROW + i], s.period / s.substeps
-    block[LAG_KEPT * ROW + i] = math.exp(-0.5 * h / lag) if lag > 0.0 else 0.0
-    block[RATE_KEPT * ROW + i] = math.exp(-s.period / block[RATE_FILTER * ROW + i])
+    block[LAG_DECAY * ROW + i] = math.exp(-0.5 * h / lag) if lag > 0.0 else 0.0
+    block[RATE_DECAY * ROW + i] = math.exp(-s.period / block[RATE_FILTER * ROW + i])
     put_six(block, TORQUES, i, (0.0, 0.0, 0.0, 0.0, 1.0, 1.0))
     put_six(block, MEASURED, i, six(block, X, i))
     for axis in range(3):
@@ -465,13 +469,13 @@ def settle(block: Any, i: int, s: Settings) -> None:
         counts = block[(COUNTS + axis) * ROW + i]
         if counts > 0.0:
             noisy = block[(X + 2 * axis) * ROW + i] + block[(ON_ANGLES + axis) * ROW + i]
-            block[(MEASURED + 2 * axis) * ROW + i] = encoded(noisy, counts, floor)
+            block[(MEASURED + 2 * axis) * ROW + i] = quantise(noisy, counts, floor)
     for d in range(int(s.disturbances)):
         first = DISTURBANCES + DISTURBANCE * d
-        kept = math.exp(-s.period / block[(first + CORRELATION) * ROW + i])
-        put_two(block, first + KEPT, i, (kept, 0.0))
+        decay = math.exp(-s.period / block[(first + CORRELATION) * ROW + i])
+        put_two(block, first + DECAY, i, (decay, 0.0))
     for k in range(int(s.delay)):
-        put_two(block, DISTURBANCES + DISTURBANCE * int(s.disturbances) + 2 * k, i, two(block, ASKED, i))
+        put_two(block, DISTURBANCES + DISTURBANCE * int(s.disturbances) + 2 * k, i, two(block, COMMAND, i))
 
 
 # The compiled entry points. Arrays are flat but where stated.
@@ -491,7 +495,7 @@ def are_finite(values: Any) -> bool:
     return bad == 0
 
 
-def begin(
+def reset(
     blocks: Any,
     settings: Any,
     table: Any,
@@ -511,21 +515,21 @@ def begin(
     for j in helicopters:
         first = j // LANES * size
         block, i = blocks[first : first + size], j % LANES
-        start(block, i, s, table, initial[:, j], uniforms[j], states[j], steps[j])
-        draw(block, i, ranges, j, uniforms[j])
-        settle(block, i, s)
+        init_state(block, i, s, table, initial[:, j], uniforms[j], states[j], steps[j])
+        sample_parameters(block, i, ranges, j, uniforms[j])
+        init_derived(block, i, s)
 
 
-def tell(
-    blocks: Any, settings: Any, table: Any, helicopters: Any, count: int, size: int, observation: Any, told: Any
+def write_outputs(
+    blocks: Any, settings: Any, table: Any, helicopters: Any, count: int, size: int, observation: Any, outputs: Any
 ) -> None:
     """What these helicopters (n,), of so many, observe and tell; the rest of the arrays stays as it is."""
     s, features = shared(settings), len(observation) // count - 8
     for j in helicopters:
         first = j // LANES * size
         block, i = blocks[first : first + size], j % LANES
-        for row in range(len(told) // count):
-            told[row * count + j] = block[row * ROW + i]
+        for row in range(len(outputs) // count):
+            outputs[row * count + j] = block[row * ROW + i]
         observe(block, i, s, table, features, observation, OBSERVED * j)
 
 
@@ -535,7 +539,7 @@ def step(blocks: Any, settings: Any, table: Any, actions_2d: Any, observation_2d
     If an action is not finite, nothing is done and the answer is NOT_FINITE. Writes observations (N, OBSERVED) and what
     is told, the first rows (..., N).
     """
-    actions, observation, told = actions_2d.reshape(-1), observation_2d.reshape(-1), told_2d.reshape(-1)
+    actions, observation, outputs = actions_2d.reshape(-1), observation_2d.reshape(-1), told_2d.reshape(-1)
     if not are_finite(actions):
         return NOT_FINITE
     s, count = shared(settings), len(actions) // 2
@@ -546,42 +550,54 @@ def step(blocks: Any, settings: Any, table: Any, actions_2d: Any, observation_2d
         n = min(LANES, count - first)
         command(block, n, s, actions, first)
         control_step(block, n, s, table)
-        report(block, n, s, table, first, count, observation, told)
+        report(block, n, s, table, first, count, observation, outputs)
         for i in range(n):
             over += block[TERMINATED * ROW + i] + block[TRUNCATED * ROW + i]
     return int(over)
 
 
-def step_one(memory: Any, front: Any, back: Any, observation: Any, told: Any) -> tuple:
+def step_one(memory: Any, front: Any, back: Any, observation: Any, outputs: Any) -> tuple:
     """A control step of a helicopter that is alone: time, reward, cost, and whether the flight is over, and how.
 
     Python calls this some hundred thousand times a second, and handing over an array takes as long as a good part of
     the equations: there are as few as can be, and numbers come and go as numbers. `memory` are the settings, then the
-    block, then the table; `told` the rows up to TOLD_AND_MEASURED.
+    block, then the table; `outputs` the rows up to TOLD_AND_MEASURED.
     """
     if not (abs(front) < math.inf and abs(back) < math.inf):
         return 0.0, 0.0, 0.0, NOT_FINITE
     s = shared(memory)
     size = ROW * (DISTURBANCES + DISTURBANCE * int(s.disturbances) + 2 * int(s.delay))
     block, table = memory[SETTINGS : SETTINGS + size], memory[SETTINGS + size :]
-    put_two(block, ASKED, 0, (saturated(front, s), saturated(back, s)))
+    put_two(block, COMMAND, 0, (saturated(front, s), saturated(back, s)))
     control_step(block, 1, s, table)
-    report(block, 1, s, table, 0, 1, observation, told)
+    report(block, 1, s, table, 0, 1, observation, outputs)
     if s.is_sensed == 0.0:
         for k in range(6):
-            told[MEASURED + k] = told[X + k]
-    over = int(CRASHED * block[TERMINATED * ROW] + MISSED * block[TRUNCATED * ROW] + block[SUCCEEDED * ROW])
+            outputs[MEASURED + k] = outputs[X + k]
+    over = int(CRASHED * block[TERMINATED * ROW] + ENDED_OFF_GOAL * block[TRUNCATED * ROW] + block[SUCCEEDED * ROW])
     return block[TIME * ROW], block[REWARD * ROW], block[COST * ROW], over
 
 
-LOOPS = (command, amplify, blow, disturb, integrate, fly_plain, make_noise, measure, look_up, judge, report)
+LOOPS = (
+    command,
+    apply_amplifier,
+    step_gusts,
+    sum_disturbances,
+    integrate,
+    step_equation_3,
+    make_noise,
+    measure,
+    look_up_reference,
+    compute_reward,
+    report,
+)
 
 
 class Kernels(NamedTuple):
     """What is compiled."""
 
-    begin: Callable
-    tell: Callable
+    reset: Callable
+    write_outputs: Callable
     step: Callable
 
 
@@ -591,8 +607,8 @@ def kernels(dtype: type, rhs: Callable, fly: Callable) -> Kernels:
 
     Compiled at the first call of each function, and then kept on disk.
     """
-    start_up, compiler = compiler_of(dtype, equation_3, fly_plain), compiler_of(dtype, rhs, fly)
-    return Kernels(start_up.entry(begin), start_up.entry(tell), compiler.entry(step))
+    start_up, compiler = compiler_of(dtype, equation_3, step_equation_3), compiler_of(dtype, rhs, fly)
+    return Kernels(start_up.entry(reset), start_up.entry(write_outputs), compiler.entry(step))
 
 
 @cache

@@ -12,26 +12,26 @@ from heli_gym.plant import AXES, ROTORS, Gust, MovingMass, Plant, Push, RotorFau
 from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.simulation import kernels
 from heli_gym.simulation.kernels import (
-    ASKED,
+    COMMAND,
     DISTURBANCE,
     DISTURBANCES,
     LANES,
     LAST,
     LIMITS,
+    N_OUTPUTS,
+    N_OUTPUTS_SENSED,
     OBSERVED,
-    PUSH,
+    ORNSTEIN_UHLENBECK,
+    PULSE,
+    RAMP,
+    REFERENCE_ROW,
     ROW,
     SETTINGS,
-    SLIDE,
     START_PLANT,
-    TABLE,
-    TOLD,
-    TOLD_AND_MEASURED,
-    WANDER,
     Ranges,
     Settings,
 )
-from heli_gym.task import FEATURES, Shown, control_steps, reference_features, shown_by, shown_by_any
+from heli_gym.task import FEATURES, FeatureBounds, control_steps, feature_bounds, reference_features, sampler_bounds
 from heli_gym.trajectory import Sampler, Trajectory
 
 SUBSTEP = 10e-3  # s, at most, of the integration where there is more than (3)
@@ -49,13 +49,13 @@ def numbers(p: Plant) -> list:
     for value in p.disturbances:
         match value:
             case Push(axis, acceleration, start, duration):
-                rows += [PUSH, AXES.index(axis), acceleration, start, duration, 1.0, 0.0, 0.0]
+                rows += [PULSE, AXES.index(axis), acceleration, start, duration, 1.0, 0.0, 0.0]
             case Gust(axis, strength, correlation_time):
-                rows += [WANDER, AXES.index(axis), strength, 0.0, math.inf, correlation_time, 0.0, 0.0]
+                rows += [ORNSTEIN_UHLENBECK, AXES.index(axis), strength, 0.0, math.inf, correlation_time, 0.0, 0.0]
             case MovingMass(a2_change, start, duration):
-                rows += [SLIDE, len(AXES), a2_change, start, duration, 1.0, 0.0, 0.0]
+                rows += [RAMP, len(AXES), a2_change, start, duration, 1.0, 0.0, 0.0]
             case RotorFault(rotor, loss, start):
-                rows += [PUSH, len(AXES) + 1 + ROTORS.index(rotor), loss, start, math.inf, 1.0, 0.0, 0.0]
+                rows += [PULSE, len(AXES) + 1 + ROTORS.index(rotor), loss, start, math.inf, 1.0, 0.0, 0.0]
     return rows
 
 
@@ -63,7 +63,7 @@ def ranges_of(p: Plant) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The numbers (A, R) of the alternatives of a plant, as low, span and index of `Ranges`."""
     ends = np.concatenate((np.zeros((1, p.uniforms)), np.eye(p.uniforms)[1:]))[:, 1:]
     # the numbers of each alternative where no uniform is one, then where each of them in turn is
-    corners = np.array([[numbers(plant.drawn(q, iter(u))) for u in ends.tolist()] for q in p.alternatives], float)
+    corners = np.array([[numbers(plant.at_uniforms(q, iter(u))) for u in ends.tolist()] for q in p.alternatives], float)
     low = corners[:, 0]
     changed = corners[:, 1:] != low[:, None]
     index = np.where(changed.any(axis=1), changed.argmax(axis=1) + 1, 0) if p.uniforms else np.zeros(low.shape, int)
@@ -94,8 +94,8 @@ def right_hand_side(plants: Sequence[Plant]) -> Callable:
     if len(rigid) > 1:
         raise ValueError("plant: either all plants of a simulation have a rig, or none")
     if rigid.pop():
-        return kernels.rigid_body_hindered
-    return kernels.equation_3 if all(p.is_plain for p in plants) else kernels.equation_3_hindered
+        return kernels.rigid_body_with_disturbances
+    return kernels.equation_3 if all(p.is_plain for p in plants) else kernels.equation_3_with_disturbances
 
 
 class Simulation:
@@ -131,7 +131,7 @@ class Simulation:
         all_plants = [p for p, _ in group_by_identity(plants)]
         self.rhs = right_hand_side(all_plants)
         immediate = all(p.is_plain and p.rotors == Rotors() for p in all_plants)
-        self.fly = kernels.fly_plain if immediate else kernels.fly_hindered
+        self.fly = kernels.step_equation_3 if immediate else kernels.step_plant
         disturbances = max(len(p.disturbances) for p in all_plants)
         delay = max(p.rotors.delay for p in all_plants)
         settings = Settings(
@@ -147,7 +147,7 @@ class Simulation:
             start_spread=start_spread,
             random_start=random_start,
         )
-        self.told = TOLD_AND_MEASURED if settings.is_sensed else TOLD  # rows
+        self.outputs = N_OUTPUTS_SENSED if settings.is_sensed else N_OUTPUTS  # rows
         self.ranges = stacked_ranges(plants)
         drawn = start_spread > 0.0 or random_start
         self.draws = [START_PLANT + p.uniforms if drawn or p.is_noisy or p.uniforms else 0 for p in plants]
@@ -160,7 +160,7 @@ class Simulation:
         self.no_states, self.no_steps = np.empty((len(plants), 0)), np.full(len(plants), -1.0)
         self.references: list[Trajectory | None] = [None] * len(plants)  # of the present flights
         self.drawn: dict[int, Trajectory] = {}  # those of the next flights, where they are not always the same
-        self.shown: list[tuple[Any, Shown]] = []  # by each source
+        self.feature_bound: list[tuple[Any, FeatureBounds]] = []  # by each source
         # one array, for Python takes time to hand over each
         parts = np.array(settings), np.zeros(-(-len(plants) // LANES) * self.size), self._table().reshape(-1)
         pad = np.zeros(SETTINGS - len(settings))
@@ -176,15 +176,17 @@ class Simulation:
         for source, followers in group_by_identity(self.sources):
             if isinstance(source, Trajectory):
                 features = reference_features(source, self.control_period).T
-                self.shown.append((source, shown_by(features.T)))
+                self.feature_bound.append((source, feature_bounds(features.T)))
                 parts.append(features)
                 for j in followers:
                     self._follow(j, source)
-                self.initial[TABLE, followers] = first
+                self.initial[REFERENCE_ROW, followers] = first
             else:
-                self.shown.append((source, shown_by_any(source.duration, self.voltage_limits, self.pitch_limit)))
+                self.feature_bound.append(
+                    (source, sampler_bounds(source.duration, self.voltage_limits, self.pitch_limit))
+                )
                 count = control_steps(source.duration, self.control_period) + 1
-                self.initial[TABLE, followers] = first + count * np.arange(len(followers))
+                self.initial[REFERENCE_ROW, followers] = first + count * np.arange(len(followers))
                 parts.append(np.zeros((count * len(followers), FEATURES)))
             first += len(parts[-1])
         # a helicopter that waits for its next start is stepped on once more, and looks one row beyond the end
@@ -195,7 +197,7 @@ class Simulation:
         limits = reference.limits
         self.references[j] = reference
         self.initial[LAST, j] = control_steps(reference.duration, self.control_period)
-        self.initial[ASKED : ASKED + 2, j] = reference.u[:, 0]
+        self.initial[COMMAND : COMMAND + 2, j] = reference.u[:, 0]
         self.initial[LIMITS : LIMITS + 4, j] = *limits.u, *limits.pitch
 
     def _bind(self) -> None:
@@ -236,12 +238,17 @@ class Simulation:
                 f"reference: {source!r} drew one of {reference.duration:g} s, "
                 f"and its `duration` is {source.duration:g} s"
             )
-        shown = next(shown for other, shown in self.shown if other is source)
+        feature_bound = next(feature_bound for other, feature_bound in self.feature_bound if other is source)
         start, x_max, u_max = np.abs(reference.x[:, 0]), np.abs(reference.x).max(axis=1), np.abs(reference.u).max()
-        if (start > shown.start).any() or (x_max > shown.features[:6]).any() or u_max > shown.features[6]:
+        if (
+            (start > feature_bound.start).any()
+            or (x_max > feature_bound.features[:6]).any()
+            or u_max > feature_bound.features[6]
+        ):
             raise ValueError(
                 f"reference: {source!r} drew one that starts at {start} and reaches {x_max} rad and rad/s and "
-                f"{u_max:g} V; at most {shown.start}, {shown.features[:6]} and {shown.features[6]:g} V can be"
+                f"{u_max:g} V; at most {feature_bound.start}, {feature_bound.features[:6]} and "
+                f"{feature_bound.features[6]:g} V can be"
             )
         return reference
 
@@ -257,21 +264,21 @@ class Simulation:
         p = self.plants[j]
         return p.at(self.uniforms[j, START_PLANT : START_PLANT + p.uniforms])
 
-    def begin(self, helicopters: np.ndarray, states: np.ndarray | None = None, times: np.ndarray | None = None) -> None:
+    def reset(self, helicopters: np.ndarray, states: np.ndarray | None = None, times: np.ndarray | None = None) -> None:
         """Starts flights of these helicopters (n,).
 
         From states (N, 6) and at times (N,) of their references in s, or from where and when the numbers drawn say.
         """
         for j in helicopters.tolist() if self.drawn else ():
             if j in self.drawn:
-                reference, first = self.drawn.pop(j), int(self.initial[TABLE, j])
+                reference, first = self.drawn.pop(j), int(self.initial[REFERENCE_ROW, j])
                 self._follow(j, reference)
                 features = reference_features(reference, self.control_period).T
                 self.table[first : first + len(features)] = features
         steps = self.no_steps
         if times is not None:
             steps = np.clip(np.round(times / self.control_period), 0.0, self.initial[LAST] - 1.0)
-        self.kernels.begin(
+        self.kernels.reset(
             self.blocks,
             self.settings,
             self.flat_table,
@@ -286,11 +293,11 @@ class Simulation:
     def arrays(self) -> tuple[np.ndarray, np.ndarray]:
         """New ones for observations (N, 49), and for what is told, the first rows (self.told, N)."""
         n = len(self.plants)
-        return np.empty((n, OBSERVED), np.float32), np.empty((self.told, n), self.dtype)
+        return np.empty((n, OBSERVED), np.float32), np.empty((self.outputs, n), self.dtype)
 
-    def tell(self, helicopters: np.ndarray, observation: np.ndarray, told: np.ndarray) -> None:
+    def write_outputs(self, helicopters: np.ndarray, observation: np.ndarray, outputs: np.ndarray) -> None:
         """What these helicopters (n,) observe and tell now, into their parts of such arrays."""
-        self.kernels.tell(
+        self.kernels.write_outputs(
             self.blocks,
             self.settings,
             self.flat_table,
@@ -298,7 +305,7 @@ class Simulation:
             len(self.plants),
             self.size,
             observation.reshape(-1),
-            told.reshape(-1),
+            outputs.reshape(-1),
         )
 
     def step(self, actions: np.ndarray) -> tuple[int, np.ndarray, np.ndarray]:
@@ -306,15 +313,15 @@ class Simulation:
 
         How many flights are over, and `arrays`. If an action is not finite, nothing is done, and that is NOT_FINITE.
         """
-        observation, told = self.arrays()
+        observation, outputs = self.arrays()
         self.actions[:] = actions
-        over = self.kernels.step(self.blocks, self.settings, self.flat_table, self.actions, observation, told)
-        return over, observation, told
+        over = self.kernels.step(self.blocks, self.settings, self.flat_table, self.actions, observation, outputs)
+        return over, observation, outputs
 
     def rows(self, first: int, count: int) -> np.ndarray:
         """These rows of all helicopters, (count, N)."""
-        shown = self.blocks.reshape(-1, self.size // ROW, ROW)[:, first : first + count, :LANES]
-        return shown.transpose(1, 0, 2).reshape(count, len(shown) * LANES)[:, : len(self.plants)]
+        feature_bound = self.blocks.reshape(-1, self.size // ROW, ROW)[:, first : first + count, :LANES]
+        return feature_bound.transpose(1, 0, 2).reshape(count, len(feature_bound) * LANES)[:, : len(self.plants)]
 
 
 def group_by_identity(values: Sequence) -> list[tuple[Any, np.ndarray]]:

@@ -6,16 +6,18 @@ import sys
 
 import numpy as np
 import pytest
-from heli_gym.baselines import plan
-from heli_gym.baselines.planning.collocation import collocate
 from independent import shortest_time
 
 from heli_gym import Maneuver, thrust
+from heli_gym.baselines import plan
+from heli_gym.baselines.planning.collocation import collocate
 
 
-@pytest.mark.parametrize("asked", [Maneuver(), Maneuver(goal=(-2.0, 0.2))], ids=str)
-def test_least_time_is_that_of_another_transcription(asked):
-    assert collocate(asked, "time").t[-1] == pytest.approx(shortest_time(asked, plan(asked), intervals=100), rel=2e-3)
+@pytest.mark.parametrize("requested", [Maneuver(), Maneuver(goal=(-2.0, 0.2))], ids=str)
+def test_least_time_is_that_of_another_transcription(requested):
+    assert collocate(requested, "time").t[-1] == pytest.approx(
+        shortest_time(requested, plan(requested), intervals=100), rel=2e-3
+    )
 
 
 def test_least_effort_takes_less_than_other_plans():

@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from heli_gym.baselines import plan
-from heli_gym.baselines.commands import compare_planners
-from heli_gym.baselines.commands.compare_planners import Args, meets_its_limits, random_maneuver
 from rich.console import Console
 
 from heli_gym import Limits, Maneuver
+from heli_gym.baselines import plan
+from heli_gym.baselines.commands import compare_planners
+from heli_gym.baselines.commands.compare_planners import Args, meets_its_limits, random_maneuver
 
 
 @pytest.mark.parametrize("seed", range(10))
@@ -24,14 +24,14 @@ def test_random_maneuvers_are_within_what_the_comparison_is_about(seed):
 
 
 def test_a_plan_that_keeps_its_promise_is_told_from_one_that_does_not():
-    asked = Maneuver()
-    good = plan(asked)
-    assert meets_its_limits(asked, good)
-    assert not meets_its_limits(replace(asked, duration=11.0), good)
-    assert not meets_its_limits(replace(asked, goal=(6.0, 0.0)), good)
-    assert not meets_its_limits(replace(asked, limits=Limits(u_max=10.9)), good)
-    assert not meets_its_limits(replace(asked, limits=Limits(pitch_max=0.8)), good)
-    assert not meets_its_limits(asked, replace(good, u=0.99 * good.u))
+    requested = Maneuver()
+    good = plan(requested)
+    assert meets_its_limits(requested, good)
+    assert not meets_its_limits(replace(requested, duration=11.0), good)
+    assert not meets_its_limits(replace(requested, goal=(6.0, 0.0)), good)
+    assert not meets_its_limits(replace(requested, limits=Limits(u_max=10.9)), good)
+    assert not meets_its_limits(replace(requested, limits=Limits(pitch_max=0.8)), good)
+    assert not meets_its_limits(requested, replace(good, u=0.99 * good.u))
 
 
 def test_what_was_found_is_written_and_said(tmp_path):

@@ -4,14 +4,14 @@ from dataclasses import astuple
 
 import numpy as np
 import pytest
-from heli_gym.baselines import riccati_gains
-from heli_gym.baselines.control.discrete_lqr import IntegralWeights, augmented, regulator_gains
-from heli_gym.baselines.control.weights import LAG_LQI, LAG_LQR, LQI, TVLQR
 from independent import jacobians
 from numpy.testing import assert_allclose
 from scipy.linalg import expm, solve_discrete_are
 
 from heli_gym import HelicopterParameters, thrust
+from heli_gym.baselines import riccati_gains
+from heli_gym.baselines.control.discrete_lqr import IntegralWeights, augmented, regulator_gains
+from heli_gym.baselines.control.weights import LAG_LQI, LAG_LQR, LQI, TVLQR
 from heli_gym.env import find_reference
 from heli_gym.model import hover_input, virtual_input
 

@@ -4,21 +4,21 @@ import math
 
 import numpy as np
 import pytest
-from heli_gym.baselines.control.estimation import (
-    ENCODER_NOISE,
-    Noise,
-    accommodated,
-    discretised,
-    kalman_gains,
-    predict,
-    turned,
-)
 from independent import TABLE_I, equation_2, equation_3, hover
 from numpy.testing import assert_allclose
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm, solve_discrete_are
 
 from heli_gym import HelicopterParameters, Limits, linearise
+from heli_gym.baselines.control.estimation import (
+    ENCODER_NOISE,
+    Noise,
+    discretise,
+    disturbance_accommodated_reference,
+    kalman_gains,
+    predict,
+    rotor_response,
+)
 from heli_gym.model import hover_input
 
 NOMINAL = HelicopterParameters()
@@ -42,8 +42,8 @@ def some_states(count: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray, np.n
 
 
 def test_after_its_lag_a_rotor_has_turned_by_all_but_one_over_e():
-    assert turned(2.0, 7.0, 0.1, 0.1) == pytest.approx(7.0 - 5.0 / math.e)
-    assert turned(2.0, 7.0, 0.0, 0.1) == 7.0
+    assert rotor_response(2.0, 7.0, 0.1, 0.1) == pytest.approx(7.0 - 5.0 / math.e)
+    assert rotor_response(2.0, 7.0, 0.0, 0.1) == 7.0
 
 
 @pytest.mark.parametrize("lag", [0.05, 0.2, 0.0])
@@ -60,7 +60,7 @@ def test_the_prediction_is_what_an_adaptive_integrator_finds(lag):
         exact = solve_ivp(rhs, (0.0, DT), x, "DOP853", rtol=1e-11, atol=1e-12).y[:, -1]
         later, rotors = predict(x, w, u, d, DT, lag, NOMINAL)
         assert_allclose(later, exact, atol=5e-6)
-        assert_allclose(rotors, turned(w, u, lag, DT))
+        assert_allclose(rotors, rotor_response(w, u, lag, DT))
 
 
 def test_a_prediction_of_many_is_that_of_each():
@@ -75,7 +75,7 @@ def test_a_prediction_of_many_is_that_of_each():
 def test_discretised_systems_are_the_matrix_exponentials():
     rng = np.random.default_rng(4)
     A, B = rng.normal(size=(3, 5, 5)), rng.normal(size=(3, 5, 2))
-    for a, b, transition, gain in zip(A, B, *discretised(A, B, DT)):
+    for a, b, transition, gain in zip(A, B, *discretise(A, B, DT)):
         exact = expm(DT * np.block([[a, b], [np.zeros((2, 7))]]))
         assert_allclose(transition, exact[:5, :5], atol=1e-7)
         assert_allclose(gain, exact[:5, 5:], atol=1e-7)
@@ -131,7 +131,7 @@ def test_the_accommodated_reference_accelerates_as_the_reference_does_without_th
     rng = np.random.default_rng(seed)
     x = rng.uniform(-0.3, 0.3, 6)
     v, disturbance = rng.uniform([0.5, -0.1], [0.9, 0.1]), rng.uniform(-0.1, 0.1, 3)
-    target, held = accommodated(x, v, disturbance, PITCH_LIMITS, NOMINAL)
+    target, held = disturbance_accommodated_reference(x, v, disturbance, PITCH_LIMITS, NOMINAL)
     wanted = np.array(equation_3(x, *v), dtype=float)[1::2]
     found = np.array(equation_3(target, *held), dtype=float)[1::2] + disturbance
     assert_allclose(found, wanted, atol=1e-12)
@@ -140,12 +140,16 @@ def test_the_accommodated_reference_accelerates_as_the_reference_does_without_th
 
 def test_without_a_disturbance_the_reference_is_left_as_it_is():
     x, v = np.array([0.1, 0.2, -0.1, 0.3, 0.4, 0.5]), np.array([0.7, -0.1])
-    for accommodating, given in zip(accommodated(x, v, np.zeros(3), PITCH_LIMITS, NOMINAL), (x, v)):
+    for accommodating, given in zip(
+        disturbance_accommodated_reference(x, v, np.zeros(3), PITCH_LIMITS, NOMINAL), (x, v)
+    ):
         assert_allclose(accommodating, given, atol=1e-15)
 
 
 def test_the_tilt_keeps_the_pitch_limits():
-    target, _ = accommodated(np.zeros(6), np.array([0.6, 0.0]), np.array([5.0, 0.0, 0.0]), PITCH_LIMITS, NOMINAL)
+    target, _ = disturbance_accommodated_reference(
+        np.zeros(6), np.array([0.6, 0.0]), np.array([5.0, 0.0, 0.0]), PITCH_LIMITS, NOMINAL
+    )
     assert target[4] == PITCH_LIMITS[1]
 
 

@@ -13,13 +13,13 @@ from io import StringIO
 
 import numpy as np
 import pytest
+from matplotlib.image import imread
+from rich.console import Console
+
 from heli_gym.baselines import fly, make_policy
 from heli_gym.baselines.commands import evaluate
 from heli_gym.baselines.commands.evaluate import Args
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
-from matplotlib.image import imread
-from rich.console import Console
-
 from heli_gym.env import Heli3DOFEnv, find_reference
 
 POLICIES = ("open-loop", "zero")

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from heli_gym.baselines.planning.feasibility import no_plan
 
 from heli_gym import Maneuver, Trajectory
+from heli_gym.baselines.planning.feasibility import infeasible
 
 
 def shortest(front, pitch_deg=40.0) -> Trajectory:
@@ -27,7 +27,7 @@ def shortest(front, pitch_deg=40.0) -> Trajectory:
     ],
 )
 def test_of_the_shortest_plan_what_is_at_a_limit_is_told_and_nothing_else(front, riding):
-    error = no_plan(Maneuver(), shortest(front))
+    error = infeasible(Maneuver(), shortest(front))
     assert str(error).endswith(f"; the shortest found takes 3.00 s: its pitch reaches 80% of its limit{riding}")
     assert error.shortest_duration == 3.0
 
@@ -37,11 +37,11 @@ def test_of_the_shortest_plan_what_is_at_a_limit_is_told_and_nothing_else(front,
 )
 @pytest.mark.parametrize("pitch_deg", [0.0, -1e-6])
 def test_of_a_plan_without_pitch_none_is_told(voltage, said, pitch_deg):
-    error = no_plan(Maneuver(), shortest(np.full(4, voltage), pitch_deg))
+    error = infeasible(Maneuver(), shortest(np.full(4, voltage), pitch_deg))
     assert str(error).endswith(f"; the shortest found takes 3.00 s{said}")
 
 
 def test_where_there_is_no_plan_at_all_that_is_said():
-    error = no_plan(Maneuver(), None)
+    error = infeasible(Maneuver(), None)
     assert str(error) == f"no plan for {Maneuver()}, nor for the same in any other time"
     assert error.shortest_duration is None

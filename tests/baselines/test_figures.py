@@ -5,11 +5,11 @@ import sys
 import matplotlib
 import numpy as np
 import pytest
-from heli_gym.baselines.evaluation import figures
-from heli_gym.baselines.paper.tvlqr import Gains
 from matplotlib.colors import same_color
 from matplotlib.image import imread
 
+from heli_gym.baselines.evaluation import figures
+from heli_gym.baselines.paper.tvlqr import Gains
 from heli_gym.model import thrust
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.trajectory import Trajectory

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from heli_gym.baselines.commands import film
-from heli_gym.baselines.commands.film import Args, scene, write_gif
 from numpy.testing import assert_allclose, assert_array_equal
 from PIL import Image
 
 from heli_gym import Trajectory
+from heli_gym.baselines.commands import film
+from heli_gym.baselines.commands.film import Args, render_state_at, write_gif
 from heli_gym.env import Heli3DOFEnv
 
 ENV = Heli3DOFEnv("lab")
@@ -26,7 +26,7 @@ def ended(reference, seconds):
 
 def test_a_scene_is_the_flight_and_its_reference_at_that_time():
     flight = ended(ENV.reference, 10.0)
-    shown = scene(flight, ENV, 2.51, "name")
+    shown = render_state_at(flight, ENV, 2.51, "name")
     assert_allclose(shown.state, flight(2.51)[0])
     assert_array_equal(shown.voltage, flight.u[:, 125])  # held since 2.50 s
     assert_allclose(shown.reference, ENV.reference(2.51)[0])
@@ -36,11 +36,11 @@ def test_a_scene_is_the_flight_and_its_reference_at_that_time():
 
 def test_a_flight_that_is_over_stays_where_it_ended_and_says_why():
     flight = ended(ENV.reference, 4.0)
-    shown = scene(flight, ENV, 7.0, "name")
+    shown = render_state_at(flight, ENV, 7.0, "name")
     assert shown.time == flight.duration
     assert_allclose(shown.state, flight.x[:, -1])
     assert shown.note == "ended: pitch beyond 80°"
-    assert scene(flight, ENV, flight.duration, "name").note == ""
+    assert render_state_at(flight, ENV, flight.duration, "name").note == ""
 
 
 def test_a_film_shows_every_flight_to_its_end_side_by_side():

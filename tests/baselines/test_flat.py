@@ -4,26 +4,26 @@ import math
 
 import numpy as np
 import pytest
-from heli_gym.baselines.planning.flat import RISE, flat_trajectory
 from independent import replay
 from numpy.testing import assert_allclose
 
 from heli_gym import Maneuver
+from heli_gym.baselines.planning.flat import RISE, flat_trajectory
 
 CASES = [Maneuver(duration=12.0), Maneuver((1.0, -0.1), (-2.0, 0.2), 9.0), Maneuver(goal=(0.0, 0.15), duration=5.0)]
 
 
-@pytest.mark.parametrize("asked", CASES, ids=str)
-def test_the_states_are_those_that_the_voltages_lead_to(asked):
-    trajectory = flat_trajectory(asked)
+@pytest.mark.parametrize("requested", CASES, ids=str)
+def test_the_states_are_those_that_the_voltages_lead_to(requested):
+    trajectory = flat_trajectory(requested)
     assert_allclose(replay(trajectory), trajectory.x, rtol=0.0, atol=1e-5)
 
 
-@pytest.mark.parametrize("asked", CASES, ids=str)
-def test_travel_and_elevation_are_the_same_polynomial(asked):
-    trajectory = flat_trajectory(asked)
-    share = RISE(trajectory.t / asked.duration)
-    for row, start, goal in ((0, asked.start[0], asked.goal[0]), (2, asked.start[1], asked.goal[1])):
+@pytest.mark.parametrize("requested", CASES, ids=str)
+def test_travel_and_elevation_are_the_same_polynomial(requested):
+    trajectory = flat_trajectory(requested)
+    share = RISE(trajectory.t / requested.duration)
+    for row, start, goal in ((0, requested.start[0], requested.goal[0]), (2, requested.start[1], requested.goal[1])):
         assert_allclose(trajectory.x[row], start + (goal - start) * share, atol=1e-12)
 
 

@@ -5,11 +5,11 @@ import functools
 import gymnasium as gym
 import numpy as np
 import pytest
-from heli_gym.baselines import fly, make_policy
-from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics, tracking_reward
 from numpy.testing import assert_allclose
 
 from heli_gym import Limits, Trajectory
+from heli_gym.baselines import fly, make_policy
+from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics, tracking_reward
 from heli_gym.env import Heli3DOFEnv, find_reference
 
 REFERENCE = find_reference("travel-360")

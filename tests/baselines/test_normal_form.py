@@ -2,6 +2,12 @@
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from independent import TABLE_I, equation_2, equation_3
+from numpy.testing import assert_allclose
+
+from heli_gym import HelicopterParameters, Limits
 from heli_gym.baselines.paper.normal_form import (
     alpha1,
     alpha2,
@@ -13,12 +19,6 @@ from heli_gym.baselines.paper.normal_form import (
     v1_bounds,
     v2_bounds,
 )
-from hypothesis import given
-from hypothesis import strategies as st
-from independent import TABLE_I, equation_2, equation_3
-from numpy.testing import assert_allclose
-
-from heli_gym import HelicopterParameters, Limits
 
 NOMINAL = HelicopterParameters()
 WINDOWS = [(1.0, 11.0), (0.0, 12.0), (-4.0, 10.0), (-9.0, -2.0), (3.0, 4.0)]

@@ -9,11 +9,11 @@ from dataclasses import fields
 
 import numpy as np
 import pytest
+
+from heli_gym import Limits, Maneuver, Trajectory
 from heli_gym.baselines import plan
 from heli_gym.baselines.commands import plan_maneuver
 from heli_gym.baselines.commands.plan_maneuver import Args
-
-from heli_gym import Limits, Maneuver, Trajectory
 
 
 def test_the_file_is_the_plan_of_the_maneuver_and_its_picture_is_beside_it(tmp_path, capsys):
@@ -38,7 +38,7 @@ def test_the_file_is_the_plan_of_the_maneuver_and_its_picture_is_beside_it(tmp_p
 
 
 def test_the_defaults_are_the_papers_maneuver(tmp_path, paper_plan):
-    assert plan_maneuver.asked(Args()) == Maneuver()
+    assert plan_maneuver.requested(Args()) == Maneuver()
     plan_maneuver.main(Args(out=tmp_path / "plan.npz", figure=False))
     saved = Trajectory.load(tmp_path / "plan.npz")
     for name in ("t", "x", "u"):

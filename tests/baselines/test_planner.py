@@ -9,15 +9,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from heli_gym.baselines import InfeasibleManeuver, plan, plan_fastest, plan_unconstrained
-from heli_gym.baselines.paper.boundary_value import FINE, ConstrainedProblem, solve_unconstrained
-from heli_gym.baselines.planning import feasibility as search
-from heli_gym.baselines.planning.planner import FASTEST, METHODS
 from independent import TABLE_I, central_differences, equation_2, replay, shortest_time
 from numpy.testing import assert_allclose
 from scipy.optimize import root
 
 from heli_gym import HelicopterParameters, Limits, Maneuver
+from heli_gym.baselines import InfeasibleManeuver, plan, plan_fastest, plan_unconstrained
+from heli_gym.baselines.paper.boundary_value import FINE, ConstrainedProblem, solve_unconstrained
+from heli_gym.baselines.planning import feasibility as search
+from heli_gym.baselines.planning.planner import FASTEST, METHODS
 
 
 def maneuver(start, goal, duration, pitch_deg=(-50.0, 50.0), u=(1.0, 11.0), **parameters) -> Maneuver:
@@ -92,8 +92,8 @@ def test_a_plan_is_sampled_every_millisecond_from_rest_to_rest(planned):
 @pytest.mark.parametrize("method", ["paper", "spline", "flat"])
 @pytest.mark.parametrize("start, goal", [((0.0, 0.0), (2.0 * math.pi, 0.0)), ((1.0, -0.1), (-1.0, 0.2))])
 def test_plans_but_those_of_least_effort_start_and_end_with_the_voltages_of_hover(method, start, goal):
-    asked = Maneuver(start, goal, 13.0)
-    trajectory, p = plan(asked, method), asked.parameters
+    requested = Maneuver(start, goal, 13.0)
+    trajectory, p = plan(requested, method), requested.parameters
     for k, (_, q2) in ((0, start), (-1, goal)):
         v1 = -(p.a1 * math.sin(q2) + p.a2 * math.cos(q2)) / p.b2
         assert_allclose([equation_2(u) for u in trajectory.u[:, k]], 0.5 * v1, atol=1e-6)
@@ -158,8 +158,8 @@ def test_a_plan_near_by_spares_the_search(method, monkeypatch):
 @pytest.mark.parametrize("method", ["auto", "paper", "spline"])
 @pytest.mark.parametrize("like", ["stay", "two turns back", "little pitch"])
 def test_a_plan_far_away_does_no_harm(method, like):
-    asked = MANEUVERS["the paper's"]
-    found = plan(asked, method, near=plan(MANEUVERS[like]))
+    requested = MANEUVERS["the paper's"]
+    found = plan(requested, method, near=plan(MANEUVERS[like]))
     flown = replay(found)
     assert_allclose(flown[:, -1], [2.0 * math.pi, 0.0, 0.0, 0.0, 0.0, 0.0], rtol=0.0, atol=1e-3)
 
@@ -262,16 +262,16 @@ def at_most(seconds: float):
 
 
 @pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("asked", [maneuver((0, 0), (0, -10), 0.5), maneuver((0, 0), (360, 0), 8)], ids=str)
-def test_an_infeasible_maneuver_names_what_is_in_the_way_and_a_duration_that_works(asked, method):
+@pytest.mark.parametrize("requested", [maneuver((0, 0), (0, -10), 0.5), maneuver((0, 0), (360, 0), 8)], ids=str)
+def test_an_infeasible_maneuver_names_what_is_in_the_way_and_a_duration_that_works(requested, method):
     said = r"in the way .* voltage limit" if method in ("auto", "spline") else "its pitch reaches|its voltages ride"
     with at_most(15.0), pytest.raises(InfeasibleManeuver, match=said) as refusal:
-        plan(asked, method)
+        plan(requested, method)
     shortest = refusal.value.shortest_duration
     assert f"{shortest:.2f} s" in str(refusal.value)
-    assert shortest > asked.duration
+    assert shortest > requested.duration
     if method != "collocation":  # at the very shortest, there is no least effort to look for
-        assert plan(replace(asked, duration=shortest), method).duration == shortest
+        assert plan(replace(requested, duration=shortest), method).duration == shortest
 
 
 @pytest.mark.parametrize("method", ["paper", "spline"])
@@ -320,11 +320,11 @@ def test_a_maneuver_of_minutes_is_planned_in_seconds(method):
 
 
 @pytest.mark.parametrize(
-    ("asked", "like"),
+    ("requested", "like"),
     [(maneuver((0, 0), (360, 0), 8), "the paper's"), (maneuver((0, 0), (0, -10), 0.5), "climb on the spot")],
 )
-def test_some_of_what_is_refused_no_control_at_all_can_fly(asked, like):
-    assert shortest_time(asked, plan(MANEUVERS[like])) > asked.duration
+def test_some_of_what_is_refused_no_control_at_all_can_fly(requested, like):
+    assert shortest_time(requested, plan(MANEUVERS[like])) > requested.duration
 
 
 def test_an_unknown_method_is_named_with_those_there_are():
@@ -349,15 +349,15 @@ def test_a_fastest_plan_that_is_on_its_pitch_limit_for_long_keeps_it_when_flown(
 
 @pytest.mark.parametrize("name", ["descend and turn", "little pitch to one side", "little pitch", "fans may reverse"])
 def test_the_fastest_plan_is_close_to_optimal_control_and_keeps_its_limits(name):
-    asked = replace(MANEUVERS[name], duration=30.0)
-    fastest = plan_fastest(asked)
+    requested = replace(MANEUVERS[name], duration=30.0)
+    fastest = plan_fastest(requested)
     flown = replay(fastest)
-    assert_allclose(flown[:, -1], [asked.goal[0], 0.0, asked.goal[1], 0.0, 0.0, 0.0], rtol=0.0, atol=1e-3)
-    low, high = asked.limits.pitch
+    assert_allclose(flown[:, -1], [requested.goal[0], 0.0, requested.goal[1], 0.0, 0.0, 0.0], rtol=0.0, atol=1e-3)
+    low, high = requested.limits.pitch
     assert low - 1e-6 <= flown[4].min() <= flown[4].max() <= high + 1e-6
-    low, high = asked.limits.u
+    low, high = requested.limits.u
     assert low - 1e-6 <= fastest.u.min() <= fastest.u.max() <= high + 1e-6
-    assert 1.0 <= fastest.duration / shortest_time(asked, fastest, intervals=100) < 1.05
+    assert 1.0 <= fastest.duration / shortest_time(requested, fastest, intervals=100) < 1.05
 
 
 def test_methods_by_their_shortest_durations():

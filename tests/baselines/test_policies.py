@@ -7,15 +7,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from independent import TABLE_I, hover, inputs
+from numpy.testing import assert_allclose, assert_array_equal
+
+from heli_gym import HelicopterParameters
 from heli_gym.baselines import POLICIES, fly, make_policy, riccati_gains
 from heli_gym.baselines.control.estimation import IDEAL, Actuator
 from heli_gym.baselines.control.policies import kalman_lqr, lag_lqi, lag_lqr
 from heli_gym.baselines.control.weights import LAG_LQR, LQI, TVLQR, WEIGHTS, store_weights
 from heli_gym.baselines.evaluation.metrics import flight_metrics
-from independent import TABLE_I, hover, inputs
-from numpy.testing import assert_allclose, assert_array_equal
-
-from heli_gym import HelicopterParameters
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import Plant, Push, Rotors
 from heli_gym.task import to_action

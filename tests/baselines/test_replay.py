@@ -2,17 +2,17 @@
 
 import numpy as np
 import pytest
-from heli_gym.baselines import plan
-from heli_gym.baselines.planning import replay as compiled
 from independent import inputs, replay
 from numpy.testing import assert_allclose
 
 from heli_gym import HelicopterParameters, Maneuver
+from heli_gym.baselines import plan
+from heli_gym.baselines.planning import replay as compiled
 
 
-@pytest.mark.parametrize("asked", [Maneuver(), Maneuver(goal=(1.5, -0.2), duration=8.0)], ids=str)
-def test_the_end_and_the_extremes_are_those_of_scipys_integrator(asked):
-    trajectory = plan(asked)
+@pytest.mark.parametrize("requested", [Maneuver(), Maneuver(goal=(1.5, -0.2), duration=8.0)], ids=str)
+def test_the_end_and_the_extremes_are_those_of_scipys_integrator(requested):
+    trajectory = plan(requested)
     flown = replay(trajectory)
     end, lowest, highest = compiled.replay(
         trajectory.x[:, 0], inputs(trajectory.u), trajectory.duration, HelicopterParameters()

@@ -8,10 +8,10 @@ from io import StringIO
 import numpy as np
 import pytest
 from browser import DESKTOP, PHONE, in_browser
+
 from heli_gym.baselines import fly, make_policy, riccati_gains
 from heli_gym.baselines.commands import evaluate
 from heli_gym.baselines.evaluation import report
-
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.task import control_grid
 

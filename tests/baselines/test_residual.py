@@ -4,9 +4,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
 from heli_gym.baselines import fly, make_policy
 from heli_gym.baselines.control.residual import (
-    GROUPS,
+    FEATURE_GROUPS,
     LEARNED,
     Learned,
     Network,
@@ -16,8 +18,6 @@ from heli_gym.baselines.control.residual import (
     save_learned,
 )
 from heli_gym.baselines.evaluation.rollout import fly_many
-from numpy.testing import assert_allclose, assert_array_equal
-
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
@@ -27,11 +27,11 @@ START = SHORT.x[:, 0]
 RESULTS = Path(__file__).parents[2] / "results"
 
 
-def network(features, seed=0, squashes=False):
+def network(features, seed=0, tanh_output=False):
     rng = np.random.default_rng(seed)
     sizes = (features, 16, 8, 2)
     weights = [0.3 * rng.standard_normal((rows, columns)) for columns, rows in pairwise(sizes)]
-    return Network(tuple(weights), tuple(0.1 * rng.standard_normal(len(w)) for w in weights), squashes)
+    return Network(tuple(weights), tuple(0.1 * rng.standard_normal(len(w)) for w in weights), tanh_output)
 
 
 def nothing(features):
@@ -96,19 +96,23 @@ def test_the_policies_of_the_package_are_those_of_the_first_seed(plant):
 
 
 def test_a_network_sees_the_groups_that_it_is_shown_and_each_of_them_counts():
-    def shown(*sees):
-        policy = ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, None, 1.0, sees=sees)
+    def shown(*feature_groups):
+        policy = ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, None, 1.0, feature_groups=feature_groups)
         return policy.observe(0.0, START)[1]
 
-    parts = [shown(group) for group in GROUPS]
+    parts = [shown(group) for group in FEATURE_GROUPS]
     assert all(len(part) for part in parts)
-    assert_array_equal(np.concatenate(parts), shown(*GROUPS))
+    assert_array_equal(np.concatenate(parts), shown(*FEATURE_GROUPS))
 
 
 def test_a_learned_policy_survives_the_disk_and_is_flown_from_there(tmp_path):
-    sees = ("error", "estimate")
-    count = len(ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, None, 1.0, sees=sees).observe(0.0, START)[1])
-    settings = Learned("kalman-lqr", 1.5, "climb-7.5", "lab", 0.02, count, (16, 8), False, sees)
+    feature_groups = ("error", "estimate")
+    count = len(
+        ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, None, 1.0, feature_groups=feature_groups).observe(
+            0.0, START
+        )[1]
+    )
+    settings = Learned("kalman-lqr", 1.5, "climb-7.5", "lab", 0.02, count, (16, 8), False, feature_groups)
     save_learned(tmp_path / "one", settings, network(count))
     again, loaded = load_learned(tmp_path / "one")
     assert again == settings
@@ -116,7 +120,7 @@ def test_a_learned_policy_survives_the_disk_and_is_flown_from_there(tmp_path):
     assert_allclose(loaded(features), network(count)(features), atol=1e-6)
 
     env = Heli3DOFEnv("lab", SHORT)
-    policy = ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, loaded, 1.5, sees=sees)
+    policy = ResidualPolicy(make_policy("kalman-lqr", SHORT), SHORT, loaded, 1.5, feature_groups=feature_groups)
     by_path = make_policy(str(tmp_path / "one.json"), SHORT)
     assert_array_equal(fly(env, policy, seed=0).x, fly(env, by_path, seed=0).x)
 
@@ -124,7 +128,7 @@ def test_a_learned_policy_survives_the_disk_and_is_flown_from_there(tmp_path):
 @pytest.mark.parametrize("damage", ["weights", "missing", "json", "field"])
 def test_a_damaged_policy_is_refused_by_its_path(tmp_path, damage):
     path = tmp_path / "one"
-    save_learned(path, Learned("zero", 1.0, "climb-7.5", "lab", 0.02, 4, (16, 8), True), network(4, squashes=True))
+    save_learned(path, Learned("zero", 1.0, "climb-7.5", "lab", 0.02, 4, (16, 8), True), network(4, tanh_output=True))
     if damage == "weights":
         data = bytearray(path.with_suffix(".safetensors").read_bytes())
         data[-1] ^= 1
@@ -144,8 +148,8 @@ def test_a_damaged_policy_is_refused_by_its_path(tmp_path, damage):
 def test_bad_settings_are_named(tmp_path):
     with pytest.raises(ValueError, match="scale = -1"):
         ResidualPolicy(make_policy("zero", SHORT), SHORT, nothing, -1.0)
-    with pytest.raises(ValueError, match=r"sees = .*'moon'"):
-        ResidualPolicy(make_policy("zero", SHORT), SHORT, nothing, 1.0, sees=("error", "moon"))
+    with pytest.raises(ValueError, match=r"feature_groups = .*'moon'"):
+        ResidualPolicy(make_policy("zero", SHORT), SHORT, nothing, 1.0, feature_groups=("error", "moon"))
     save_learned(tmp_path / "one", Learned("zero", 1.0, "climb-7.5", "lab", 0.02, 4, (16, 8), False), network(4))
     with pytest.raises(ValueError, match=r"control_period = 0\.01"):
         make_policy(str(tmp_path / "one.json"), SHORT, 0.01)

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from heli_gym.baselines import riccati_gains
-from heli_gym.baselines.paper import riccati, tvlqr
 from independent import inputs, jacobians
 from numpy.testing import assert_allclose
 
 from heli_gym import HelicopterParameters
+from heli_gym.baselines import riccati_gains
+from heli_gym.baselines.paper import riccati, tvlqr
 
 NOMINAL = HelicopterParameters()
 

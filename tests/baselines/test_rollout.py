@@ -6,14 +6,14 @@ from dataclasses import dataclass, field
 import gymnasium as gym
 import numpy as np
 import pytest
-from heli_gym.baselines import ManeuverSampler, fly, make_policy, plan
-from heli_gym.baselines.evaluation.metrics import flight_metrics
-from heli_gym.baselines.evaluation.rollout import fly_many
 from independent import equation_3, inputs
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.integrate import solve_ivp
 
 from heli_gym import Maneuver, Trajectory
+from heli_gym.baselines import ManeuverSampler, fly, make_policy, plan
+from heli_gym.baselines.evaluation.metrics import flight_metrics
+from heli_gym.baselines.evaluation.rollout import fly_many
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.vector_env import Heli3DOFVectorEnv
 

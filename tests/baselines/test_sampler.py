@@ -5,11 +5,11 @@ import pickle
 
 import numpy as np
 import pytest
-from heli_gym.baselines import ManeuverSampler
 from independent import replay
 from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym import Limits
+from heli_gym.baselines import ManeuverSampler
 
 SAMPLER = ManeuverSampler(duration=10.0)
 

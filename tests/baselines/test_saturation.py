@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
-from heli_gym.baselines.paper.saturation import ddy2, psi1, psi1_inverse, psi2_bounds, ramp
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
+
+from heli_gym.baselines.paper.saturation import ddy2, psi1, psi1_inverse, psi2_bounds, ramp
 
 BOUNDS = [(-0.87, 0.87), (-0.3, 1.2), (-1.4, 0.2)]
 

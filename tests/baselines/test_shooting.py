@@ -4,31 +4,31 @@ import math
 
 import numpy as np
 import pytest
-from heli_gym.baselines import plan
-from heli_gym.baselines.paper.boundary_value import FINE, ConstrainedProblem, solve_unconstrained
-from heli_gym.baselines.paper.shooting import guess_from, shooter, solve_by_shooting, solve_near, unconstrained_guess
-from heli_gym.baselines.planning.paper_method import solve_from_unconstrained
 from independent import central_differences
 from numpy.testing import assert_allclose
 
 from heli_gym import Maneuver
+from heli_gym.baselines import plan
+from heli_gym.baselines.paper.boundary_value import FINE, ConstrainedProblem, solve_unconstrained
+from heli_gym.baselines.paper.shooting import guess_from, shooter, solve_by_shooting, solve_near, unconstrained_guess
+from heli_gym.baselines.planning.paper_method import solve_from_unconstrained
 
 TURN = Maneuver(goal=(1.5, -0.2), duration=8.0)
 
 
-@pytest.mark.parametrize("asked", [Maneuver(), Maneuver(duration=12.0), TURN], ids=str)
-def test_the_solution_of_38_is_that_of_collocation(asked):
-    problem = ConstrainedProblem(asked)
-    expected = problem.solve(solve_from_unconstrained(asked), FINE)
-    found = solve_by_shooting(asked)
-    t = np.linspace(0.0, asked.duration, 200)
+@pytest.mark.parametrize("requested", [Maneuver(), Maneuver(duration=12.0), TURN], ids=str)
+def test_the_solution_of_38_is_that_of_collocation(requested):
+    problem = ConstrainedProblem(requested)
+    expected = problem.solve(solve_from_unconstrained(requested), FINE)
+    found = solve_by_shooting(requested)
+    t = np.linspace(0.0, requested.duration, 200)
     assert_allclose(found.interpolate(t), expected.interpolate(t), atol=2e-3)
     assert_allclose(problem.trajectory(found).u, problem.trajectory(expected).u, atol=2e-2)
 
 
-@pytest.mark.parametrize("asked", [Maneuver(), TURN], ids=str)
-def test_the_unconstrained_guess_is_that_of_collocation(asked):
-    found, expected = unconstrained_guess(asked), solve_unconstrained(asked, FINE)
+@pytest.mark.parametrize("requested", [Maneuver(), TURN], ids=str)
+def test_the_unconstrained_guess_is_that_of_collocation(requested):
+    found, expected = unconstrained_guess(requested), solve_unconstrained(requested, FINE)
     assert_allclose(found.p, expected.p, rtol=1e-5)
     assert_allclose(found.Y, expected.interpolate(found.t), atol=2e-3)
 
@@ -40,7 +40,7 @@ def test_there_is_no_unconstrained_guess_beyond_90_degrees():
 def test_the_sensitivities_agree_with_differences():
     problem, p = ConstrainedProblem(TURN), np.array([1.0, -0.5, 110.0, -310.0, 345.0, -138.0])
     shoot, nodes = shooter(problem, 100), np.zeros((6, 2))
-    expected = central_differences(lambda p: shoot(nodes, p).missed[0], p, 1e-7)
+    expected = central_differences(lambda p: shoot(nodes, p).defects[0], p, 1e-7)
     assert_allclose(shoot(nodes, p).sensitivity[0, :, :6], expected, rtol=1e-4, atol=1e-5)
 
 
@@ -48,8 +48,8 @@ def test_segments_that_meet_are_one_flight():
     problem, p = ConstrainedProblem(TURN), np.array([1.0, -0.5, 110.0, -310.0, 345.0, -138.0])
     one = shooter(problem, 100)(np.zeros((6, 2)), p)
     many = shooter(problem, 20)(one.Y[:, ::20], p)
-    assert_allclose(many.missed[:-1], 0.0, atol=1e-12)
-    assert_allclose(many.missed[-1], one.missed[-1], atol=1e-12)
+    assert_allclose(many.defects[:-1], 0.0, atol=1e-12)
+    assert_allclose(many.defects[-1], one.defects[-1], atol=1e-12)
     assert_allclose(many.sensitivity[-1], one.sensitivity[-1], rtol=1e-9, atol=1e-9)
 
 
@@ -61,12 +61,12 @@ def test_what_is_missed_is_caught_up_with_to_first_order():
         apart = shoot(met + size * rng.normal(size=met.shape), found.p)
         nodes = apart.nodes.copy()
         nodes[:, 1:] += apart.sensitivity[:, :, 6].T
-        assert np.abs(shoot(nodes, found.p).missed[:-1]).max() < left
+        assert np.abs(shoot(nodes, found.p).defects[:-1]).max() < left
 
 
 def test_a_shot_solves_38():
-    asked = Maneuver()
-    problem, found = ConstrainedProblem(asked), solve_by_shooting(asked)
+    requested = Maneuver()
+    problem, found = ConstrainedProblem(requested), solve_by_shooting(requested)
     start, goal = problem.ends()
     assert_allclose(found.Y[:, 0], start, atol=1e-12)
     assert_allclose(found.Y[:, -1], goal, atol=1e-5)

@@ -5,15 +5,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from heli_gym.baselines import plan_fastest
-from heli_gym.baselines.paper.normal_form import thrust_bounds
-from heli_gym.baselines.planning import spline
-from heli_gym.baselines.planning.spline_kernel import derivatives, interpolate, inverse_dynamics
 from independent import TABLE_I, central_differences, equation_3, shortest_time
 from numpy.testing import assert_allclose
 from scipy.interpolate import BSpline
 
 from heli_gym import HelicopterParameters, Maneuver
+from heli_gym.baselines import plan_fastest
+from heli_gym.baselines.paper.normal_form import thrust_bounds
+from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning.spline_kernel import derivatives, interpolate, inverse_dynamics
 
 MODEL = tuple(HelicopterParameters())[2:]
 RNG = np.random.default_rng(3)
@@ -35,8 +35,8 @@ def test_a_refined_spline_is_the_same_function():
 
 
 def test_a_guess_starts_and_ends_at_rest_within_the_pitch_limits():
-    asked = Maneuver((1.0, -0.2), (9.0, 0.1), 4.0)
-    y, dy, ddy = interpolate(spline.guess(asked, 4.0, 30).coefficients, 4.0, 401)
+    requested = Maneuver((1.0, -0.2), (9.0, 0.1), 4.0)
+    y, dy, ddy = interpolate(spline.guess(requested, 4.0, 30).coefficients, 4.0, 401)
     assert_allclose(y[:, [0, -1]], [[-0.2, 0.1], [0.0, 0.0]], atol=1e-12)
     assert_allclose(np.stack((dy, ddy))[..., [0, -1]], 0.0, atol=1e-10)
     assert np.abs(y[1]).max() < math.radians(50.0)
@@ -73,10 +73,10 @@ def test_the_derivatives_agree_with_differences(case):
 
 def test_what_is_smoothest_is_a_minimum_of_the_squared_third_derivatives():
     # the barrier being lowered until the limits, which are far away, do not matter
-    asked = Maneuver(goal=(1.0, 0.1), duration=14.0)
-    thrusts = thrust_bounds(asked.limits, asked.parameters)
-    start = spline.guess(asked, 14.0, 30)
-    best = spline.optimise(asked, start, thrusts, 14.0, 1.0, 0.0, spline.COLD, 1e-10, 200)
+    requested = Maneuver(goal=(1.0, 0.1), duration=14.0)
+    thrusts = thrust_bounds(requested.limits, requested.parameters)
+    start = spline.guess(requested, 14.0, 30)
+    best = spline.optimise(requested, start, thrusts, 14.0, 1.0, 0.0, spline.COLD, 1e-10, 200)
     t = np.linspace(0.0, 14.0, 1401)
     weights = np.array([TABLE_I.b2, TABLE_I.b3]) ** -2.0
 
@@ -108,9 +108,9 @@ def test_what_is_smoothest_is_a_minimum_of_the_squared_third_derivatives():
 
 def test_more_time_is_smoother():
     def roughness(duration):
-        asked = Maneuver(duration=duration)
+        requested = Maneuver(duration=duration)
         found = spline.smoothest(
-            asked, spline.guess(asked, duration, 30), thrust_bounds(asked.limits, asked.parameters)
+            requested, spline.guess(requested, duration, 30), thrust_bounds(requested.limits, requested.parameters)
         )
         return np.abs(interpolate(found.coefficients, duration, 500)[2]).max()
 
@@ -118,8 +118,8 @@ def test_more_time_is_smoother():
 
 
 def test_no_plan_is_found_where_there_is_none():
-    asked = Maneuver(duration=8.0)
-    assert spline.plan_smoothest(asked) is None
+    requested = Maneuver(duration=8.0)
+    assert spline.plan_smoothest(requested) is None
 
 
 @pytest.mark.slow
@@ -128,8 +128,8 @@ def test_random_maneuvers_with_ten_percent_of_the_time_to_spare_are_planned():
 
     rng = np.random.default_rng(11)
     for _ in range(20):
-        asked = random_maneuver(rng)
-        fastest = plan_fastest(asked)
-        shortest = shortest_time(asked, fastest, intervals=100)
+        requested = random_maneuver(rng)
+        fastest = plan_fastest(requested)
+        shortest = shortest_time(requested, fastest, intervals=100)
         assert fastest.duration < 1.05 * shortest
-        assert spline.plan_fastest(replace(asked, duration=1.1 * shortest), lambda: None) is not None
+        assert spline.plan_fastest(replace(requested, duration=1.1 * shortest), lambda: None) is not None

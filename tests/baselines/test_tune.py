@@ -5,12 +5,12 @@ from typing import get_args, get_type_hints
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
+
 from heli_gym.baselines import fly, make_policy
 from heli_gym.baselines.commands import tune
 from heli_gym.baselines.control.weights import TVLQR, WEIGHTS, stored_weights
 from heli_gym.baselines.evaluation.metrics import flight_metrics
-from numpy.testing import assert_allclose
-
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.vector_env import Heli3DOFVectorEnv

@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
-from heli_gym.baselines import riccati_gains
-from heli_gym.baselines.paper.tvlqr import Q, R
 from independent import hover, inputs, jacobians
 from numpy.testing import assert_allclose
 from scipy.integrate import solve_ivp
 from scipy.linalg import solve_continuous_are
 
 from heli_gym import HelicopterParameters, Trajectory
+from heli_gym.baselines import riccati_gains
+from heli_gym.baselines.paper.tvlqr import Q, R
 
 M = np.diag([30.0, 10.0, 50.0, 10.0, 2.0, 1.0])
 

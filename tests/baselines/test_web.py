@@ -6,13 +6,13 @@ import subprocess
 import numpy as np
 import pytest
 from browser import DESKTOP, PHONE, SOURCES, in_browser, in_node, installed, tool
+
+from heli_gym import HelicopterParameters, Maneuver, linearise
 from heli_gym.baselines import fly, make_policy, riccati_gains
 from heli_gym.baselines.commands import demo
 from heli_gym.baselines.control.residual import LEARNED, load_learned
 from heli_gym.baselines.evaluation.report import WEB
 from heli_gym.baselines.paper.boundary_value import ConstrainedProblem
-
-from heli_gym import HelicopterParameters, Maneuver, linearise
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import PLANTS, Friction, Plant, Push, Rotors, Sensors
 from heli_gym.rigid_body import VARIANTS, solve_rigid_body
@@ -246,9 +246,9 @@ def test_the_papers_plan_and_its_gains_in_the_browser_are_those_of_python(live, 
 
 
 def test_every_plan_of_the_grid_arrives_and_keeps_its_limits(live):
-    asked = list(maneuvers(live))
-    assert len(asked) > 200
-    for maneuver, found in zip(asked, in_node(PLAN, live=live, maneuvers=asked, gains=False)):
+    requested = list(maneuvers(live))
+    assert len(requested) > 200
+    for maneuver, found in zip(requested, in_node(PLAN, live=live, maneuvers=requested, gains=False)):
         x, u = np.array(found["x"]), np.array(found["u"])
         # the last sample is the goal by definition, and the one before a hundredth of a second away from it
         np.testing.assert_allclose(x[-2, 0::2], x[-1, 0::2], rtol=0.0, atol=1e-3)

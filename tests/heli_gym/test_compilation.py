@@ -6,10 +6,10 @@ import types
 
 import numpy as np
 import pytest
-from heli_gym.baselines.compilation import compiler
-from heli_gym.baselines.paper.normal_form import internal_dynamics
 
 from heli_gym import HelicopterParameters
+from heli_gym.baselines.compilation import compiler
+from heli_gym.baselines.paper.normal_form import internal_dynamics
 from heli_gym.compilation import Compiler
 
 SCALE = 1.0

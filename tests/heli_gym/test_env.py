@@ -17,7 +17,6 @@ import numpy as np
 import pytest
 from gymnasium.envs.registration import EnvSpec
 from gymnasium.utils.env_checker import check_env
-from heli_gym.baselines import ManeuverSampler, fly, make_policy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from independent import EitherReference, equation_3, hover, inputs
@@ -27,6 +26,7 @@ from stable_baselines3.common.env_checker import check_env as check_env_for_sb3
 
 import heli_gym  # noqa: F401, registers Heli3DOF-v0
 from heli_gym import Trajectory
+from heli_gym.baselines import ManeuverSampler, fly, make_policy
 from heli_gym.env import Heli3DOFEnv, find_reference
 
 REFERENCE = find_reference("travel-360")

@@ -4,10 +4,10 @@ import functools
 
 import numpy as np
 import pytest
-from heli_gym.baselines import fly, make_policy
-from heli_gym.baselines.evaluation.metrics import flight_metrics
 
 from heli_gym import HelicopterParameters
+from heli_gym.baselines import fly, make_policy
+from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import Plant
 

@@ -43,7 +43,7 @@ def simulate(plant, voltages=HOVER, x=LEVEL, duration=2.0, dt=0.02, seed=0):
     steps = round(duration / dt)
     simulation = Simulation([plant], [hover(duration)], dt, AMPLIFIER_LIMITS, math.inf)
     simulation.draw(0, np.random.default_rng(seed))
-    simulation.begin(np.zeros(1, int), np.array([x], float))
+    simulation.reset(np.zeros(1, int), np.array([x], float))
     flown = [simulation.blocks.reshape(-1, ROW)[:, 0].copy()]
     for action in to_action(np.broadcast_to(voltages, (steps, 2)), AMPLIFIER_LIMITS):
         simulation.step(action[None])

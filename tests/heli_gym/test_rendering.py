@@ -27,7 +27,7 @@ from heli_gym.rendering import (
     ROTOR_HEIGHT,
     Camera,
     Renderer,
-    Scene,
+    RenderState,
     arrow,
     box,
     circle,
@@ -44,7 +44,7 @@ from heli_gym.rendering import (
 )
 from heli_gym.rigid_body import mjcf
 
-HOVER = Scene((0.0,) * 6, (7.9, 7.9), (0.0,) * 6, (7.9, 7.9), 0.0, 10.0)
+HOVER = RenderState((0.0,) * 6, (7.9, 7.9), (0.0,) * 6, (7.9, 7.9), 0.0, 10.0)
 ASTRAY = HOVER._replace(state=(0.8, 0.0, 0.1, 0.0, 0.4, 0.0), voltage=(11.5, 6.0), time=4.0, title="a title")
 ANGLES = np.random.default_rng(5).uniform(-1.0, 1.0, (50, 3)) * (math.pi, 1.2, 1.5)
 

@@ -14,7 +14,7 @@ from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParamete
 from heli_gym.plant import PLANTS, Gust, MovingMass, Plant, Push, RotorFault, Rotors, Sensors
 from heli_gym.simulation import kernels
 from heli_gym.simulation.fast_math import cosine, sine, standard_normal
-from heli_gym.simulation.kernels import ASKED, LAG, LANES, REWARD, STEP, TIME, TRUNCATED, X
+from heli_gym.simulation.kernels import COMMAND, LAG, LANES, REWARD, STEP, TIME, TRUNCATED, X
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.task import reward, to_voltage
 
@@ -32,7 +32,7 @@ def simulation(plants, references=None, period=0.02, dtype=np.float64, seed=0, *
     flights = Simulation(plants, references, period, AMPLIFIER_LIMITS, PITCH_STOP, dtype=dtype, **arguments)
     for j in range(len(plants)):
         flights.draw(j, np.random.default_rng([seed, j]))
-    flights.begin(np.arange(len(plants)))
+    flights.reset(np.arange(len(plants)))
     return flights
 
 
@@ -48,7 +48,7 @@ def interpreted(flights, patch):
     """A copy of these flights that is stepped by the very same functions, uncompiled."""
     copy = pickle.loads(pickle.dumps(flights))
     patch.setattr(kernels, "derivative", flights.rhs)
-    copy.kernels = kernels.Kernels(kernels.begin, kernels.tell, kernels.step)
+    copy.kernels = kernels.Kernels(kernels.reset, kernels.write_outputs, kernels.step)
     return copy
 
 
@@ -58,7 +58,7 @@ def test_compiled_and_interpreted_flights_are_the_same(plant, monkeypatch):
     plain = interpreted(compiled, monkeypatch)
     with np.errstate(all="ignore"):  # of the lanes that no helicopter is in
         for flights in (compiled, plain):
-            flights.begin(np.arange(3))
+            flights.reset(np.arange(3))
         assert_allclose(compiled.blocks, plain.blocks, rtol=0.0, atol=1e-12)
         for action in actions(25, 3):
             (over, *ours), (over_too, *theirs) = compiled.step(action), plain.step(action)
@@ -72,14 +72,14 @@ def test_a_batch_in_numpy_of_the_same_equations_is_the_compiled_flight():
     flights, p = simulation([Plant()] * 70, start_spread=0.1), HelicopterParameters()
     x = flights.rows(X, 6).copy()
     for k, action in enumerate(actions(50, 70)):
-        _, _, told = flights.step(action)
+        _, _, outputs = flights.step(action)
         u = np.clip(to_voltage(action.T, AMPLIFIER_LIMITS), *AMPLIFIER_LIMITS)
         v = virtual_input(thrust(u, p))
         x = np.array(rk4_step(kernels.equation_3, x, (v, v, v), 0.02, kernels.Body(p, None, None, None, None)))
         earned = 0.02 * reward(x - REFERENCE(0.02 * (k + 1))[0][:, None], u - REFERENCE(0.02 * (k + 0.5))[1][:, None])
-        assert_allclose(told[X : X + 6], x, rtol=0.0, atol=1e-12)
-        assert_allclose(told[ASKED : ASKED + 2], u, rtol=0.0, atol=1e-12)
-        assert_allclose(told[REWARD], earned, rtol=0.0, atol=1e-12)
+        assert_allclose(outputs[X : X + 6], x, rtol=0.0, atol=1e-12)
+        assert_allclose(outputs[COMMAND : COMMAND + 2], u, rtol=0.0, atol=1e-12)
+        assert_allclose(outputs[REWARD], earned, rtol=0.0, atol=1e-12)
 
 
 @pytest.mark.parametrize("name", PLANTS)
@@ -94,12 +94,12 @@ def test_single_precision_flies_nearly_the_same(name):
 @pytest.mark.parametrize("n", [1, LANES - 1, LANES, LANES + 1, 3 * LANES + 8])
 def test_each_helicopter_flies_as_if_it_were_alone_whatever_block_it_is_in(n):
     together, controls = simulation([PLANTS["lab"]] * n), actions(5, n)
-    told = [together.step(action)[1:] for action in controls]
+    outputs = [together.step(action)[1:] for action in controls]
     for j in {0, n // 2, n - 1}:
         alone = Simulation([PLANTS["lab"]], [REFERENCE], 0.02, AMPLIFIER_LIMITS, PITCH_STOP)
         alone.draw(0, np.random.default_rng([0, j]))
-        alone.begin(np.zeros(1, int))
-        for action, (observation, rows) in zip(controls, told):
+        alone.reset(np.zeros(1, int))
+        for action, (observation, rows) in zip(controls, outputs):
             _, own_observation, own_rows = alone.step(action[j : j + 1])
             assert_allclose(own_observation[0], observation[j], rtol=0.0, atol=1e-6)
             assert_allclose(own_rows[:, 0], rows[:, j], rtol=0.0, atol=1e-12)
@@ -119,14 +119,14 @@ def test_plants_delays_and_references_may_differ_from_helicopter_to_helicopter()
     for j, (p, r) in enumerate(zip(plants, references)):
         apart.append(Simulation([p], [r], 0.02, AMPLIFIER_LIMITS, PITCH_STOP, random_start=True))
         apart[-1].draw(0, np.random.default_rng([0, j]))
-        apart[-1].begin(np.zeros(1, int))
+        apart[-1].reset(np.zeros(1, int))
     for action in controls:
-        told = together.step(action)[2]
+        outputs = together.step(action)[2]
         for j, alone in enumerate(apart):
             alone.step(action[j : j + 1])
             # a lag-free plant takes shorter steps beside one with lag
-            assert_allclose(told[X : X + 6, j], alone.rows(X, 6)[:, 0], rtol=0.0, atol=1e-9)
-            assert told[TIME, j] == 0.02 * alone.rows(STEP, 1)[0, 0]
+            assert_allclose(outputs[X : X + 6, j], alone.rows(X, 6)[:, 0], rtol=0.0, atol=1e-9)
+            assert outputs[TIME, j] == 0.02 * alone.rows(STEP, 1)[0, 0]
 
 
 def test_the_plant_that_is_told_is_the_plant_that_is_flown():
@@ -166,8 +166,8 @@ def test_an_action_that_is_not_finite_changes_nothing(bad):
 def test_flights_are_counted_when_they_are_over():
     flights, last = simulation([Plant()] * 4, [hover(0.1), hover(0.1), hover(0.2), hover(0.2)]), []
     for _ in range(10):
-        over, _, told = flights.step(np.full((4, 2), 0.31))
-        last.append((over, *told[TRUNCATED]))
+        over, _, outputs = flights.step(np.full((4, 2), 0.31))
+        last.append((over, *outputs[TRUNCATED]))
     assert [row[0] for row in last] == [0, 0, 0, 0, 2, 0, 0, 0, 0, 2]
 
 
@@ -179,15 +179,15 @@ def test_sine_and_cosine_are_exact_to_two_units_in_the_last_place(ours, exact):
     rng = np.random.default_rng(0)
     near = rng.integers(-60000, 60000, 20000) * (np.pi / 2) + rng.normal(0.0, 1e-3, 20000)
     x = np.concatenate((rng.uniform(-1e5, 1e5, 200000), rng.uniform(-4.0, 4.0, 200000), near, [0.0, -0.0]))
-    compiled = kernels.compiler_of(np.float64, kernels.equation_3, kernels.fly_plain).part(ours)
-    told, right = np.array([compiled(v) for v in x]), exact(x)
+    compiled = kernels.compiler_of(np.float64, kernels.equation_3, kernels.step_equation_3).part(ours)
+    outputs, right = np.array([compiled(v) for v in x]), exact(x)
     # beside a zero of the function, what is left of the reduction counts
-    assert (np.abs(told - right) <= 2.0 * np.spacing(np.abs(right)) + 1e-20).all()
+    assert (np.abs(outputs - right) <= 2.0 * np.spacing(np.abs(right)) + 1e-20).all()
 
 
 def test_the_normal_numbers_are_normal_and_independent():
     keys = np.random.default_rng(0).random(200)
-    compiled = kernels.compiler_of(np.float64, kernels.equation_3, kernels.fly_plain).part(standard_normal)
+    compiled = kernels.compiler_of(np.float64, kernels.equation_3, kernels.step_equation_3).part(standard_normal)
     z = np.array([[[compiled(key, float(k), channel) for channel in range(4)] for k in range(100)] for key in keys])
     assert abs(z.mean()) < 0.01
     assert z.std() == pytest.approx(1.0, abs=0.01)

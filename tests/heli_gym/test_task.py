@@ -191,8 +191,8 @@ def test_the_features_are_the_reference_at_each_preview_and_the_remaining_time()
 def test_what_any_reference_of_a_duration_shows_includes_what_those_of_the_package_show():
     for name in ("travel-360", "elevation-sine", "back-60-descend", "take-off", "climb-7.5"):
         reference = find_reference(name)
-        own = task.shown_by(task.reference_features(reference, 0.02))
-        any_other = task.shown_by_any(reference.duration, (0.0, 12.0), 1.2)
+        own = task.feature_bounds(task.reference_features(reference, 0.02))
+        any_other = task.sampler_bounds(reference.duration, (0.0, 12.0), 1.2)
         assert (own.start <= any_other.start).all() and (own.features <= any_other.features).all()
 
 
@@ -200,7 +200,7 @@ def test_what_any_reference_of_a_duration_shows_includes_what_those_of_the_packa
 def test_no_flight_at_the_extremes_exceeds_the_observation_bound(reference):
     control_period, voltage_limits, pitch_limit = 0.05, (0.0, 12.0), 1.3
     features = task.reference_features(reference, control_period)
-    bound = task.observation_bound(task.shown_by(features), Plant(), voltage_limits, pitch_limit, control_period)
+    bound = task.observation_bound(task.feature_bounds(features), Plant(), voltage_limits, pitch_limit, control_period)
     assert bound.shape == (49,)
     assert np.isfinite(bound).all()
     assert (np.abs(features).max(axis=1) <= bound[8:]).all()
@@ -223,13 +223,15 @@ def test_no_flight_at_the_extremes_exceeds_the_observation_bound(reference):
 @pytest.mark.parametrize("axis", [1, 3, 5])
 def test_the_observation_bound_grows_with_the_amplifier(axis):
     features = task.reference_features(REFERENCE, 0.02)
-    bounds = [task.observation_bound(task.shown_by(features), Plant(), (0.0, u), 1.3, 0.02) for u in (10.0, 12.0, 15.0)]
+    bounds = [
+        task.observation_bound(task.feature_bounds(features), Plant(), (0.0, u), 1.3, 0.02) for u in (10.0, 12.0, 15.0)
+    ]
     assert bounds[0][axis] < bounds[1][axis] < bounds[2][axis]
 
 
 def bound_of(plant, reference=REFERENCE):
     """The observation bound of a plant in 20 ms steps."""
-    shown = task.shown_by(task.reference_features(reference, 0.02))
+    shown = task.feature_bounds(task.reference_features(reference, 0.02))
     return task.observation_bound(shown, plant, (0.0, 12.0), 1.3, 0.02)
 
 

@@ -13,7 +13,7 @@ from independent import TABLE_I, equation_2
 from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym import Limits, Maneuver, Trajectory
-from heli_gym.trajectory import joined
+from heli_gym.trajectory import concatenate
 
 
 @st.composite
@@ -197,7 +197,7 @@ def test_many_times_at_once_are_as_one_by_one():
 def test_of_two_joined_trajectories_the_second_is_flown_after_the_first():
     first = some_trajectory()
     second = Trajectory([0.0, 0.4, 1.0], np.column_stack((first.x[:, -1], np.ones((6, 2)))), np.ones((2, 3)))
-    both = joined(first, second)
+    both = concatenate(first, second)
     assert both.duration == pytest.approx(first.duration + 1.0)
     assert len(both.t) == len(first.t) + 2
     for t in np.linspace(0.0, 0.999 * first.duration, 7):
@@ -209,10 +209,10 @@ def test_of_two_joined_trajectories_the_second_is_flown_after_the_first():
 def test_a_second_trajectory_that_starts_elsewhere_or_has_other_limits_is_refused():
     first = some_trajectory()
     with pytest.raises(ValueError, match="second: starts in"):
-        joined(first, Trajectory([0.0, 1.0], np.full((6, 2), 9.0), np.zeros((2, 2))))
+        concatenate(first, Trajectory([0.0, 1.0], np.full((6, 2), 9.0), np.zeros((2, 2))))
     x = np.repeat(first.x[:, -1:], 2, axis=1)
     with pytest.raises(ValueError, match="second: planned within"):
-        joined(first, Trajectory([0.0, 1.0], x, np.zeros((2, 2)), Limits(u_max=10.0)))
+        concatenate(first, Trajectory([0.0, 1.0], x, np.zeros((2, 2)), Limits(u_max=10.0)))
 
 
 # Trajectory: on disk

@@ -202,19 +202,19 @@ def test_changing_any_array_that_was_handed_out_changes_no_flight(mode):
     for scribble in (False, True):
         envs = Heli3DOFVectorEnv(4, "lab", "climb-7.5", autoreset_mode=mode, start_spread_deg=5.0, pitch_limit=0.3)
         mask = np.ones(4, bool)
-        told = envs.reset(seed=0, options={"reset_mask": mask})
+        outputs = envs.reset(seed=0, options={"reset_mask": mask})
         seen, rng = [], np.random.default_rng(0)
         for _ in range(200):
             if scribble:
-                flat = [value for part in told for value in (part.values() if isinstance(part, dict) else [part])]
+                flat = [value for part in outputs for value in (part.values() if isinstance(part, dict) else [part])]
                 for array in flat:
                     if isinstance(array, np.ndarray) and array.dtype != object and array.flags.writeable:
                         array[...] = 1
                 mask[:] = False
             if mode == "Disabled" and envs.is_waiting:
                 envs.reset(seed=1, options={"reset_mask": envs.over.copy()})
-            told = envs.step(rng.uniform(0.0, 0.6, (4, 2)))
-            seen.append((told[0].copy(), told[2].copy()))
+            outputs = envs.step(rng.uniform(0.0, 0.6, (4, 2)))
+            seen.append((outputs[0].copy(), outputs[2].copy()))
         flights.append(seen)
     for (a, over), (b, other) in zip(*flights):
         assert_array_equal(a, b)

@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+
 from heli_gym.baselines.evaluation.report import WEB
 
 SOURCES = Path(__file__).parents[2] / "web"

@@ -4,20 +4,21 @@ from numpy.testing import assert_allclose
 
 pytest.importorskip("onnx")
 
-from heli_gym.baselines.control.residual import LEARNED, Network, load_learned
-from heli_gym.train.export_onnx import Args, main, onnx_model
 from onnx import load
 from onnx.reference import ReferenceEvaluator
 
+from heli_gym.baselines.control.residual import LEARNED, Network, load_learned
+from heli_gym.train.export_onnx import Args, main, onnx_model
 
-@pytest.mark.parametrize("squashes", [False, True])
-def test_the_exported_network_computes_what_numpy_computes(squashes):
+
+@pytest.mark.parametrize("tanh_output", [False, True])
+def test_the_exported_network_computes_what_numpy_computes(tanh_output):
     rng = np.random.default_rng(0)
     shapes = ((8, 5), (4, 8), (2, 4))
     network = Network(
         tuple(rng.standard_normal(shape) for shape in shapes),
         tuple(rng.standard_normal(shape[0]) for shape in shapes),
-        squashes,
+        tanh_output,
     )
     features = rng.standard_normal((20, 5)).astype(np.float32)
     (actions,) = ReferenceEvaluator(onnx_model(network)).run(None, {"features": features})

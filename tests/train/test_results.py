@@ -7,17 +7,17 @@ import pytest
 
 pytest.importorskip("rich")
 
-from heli_gym.baselines import fly, make_policy
-from heli_gym.baselines.control.residual import load_learned, save_learned
-from heli_gym.train import results
-from heli_gym.train.oracle import EFFORT, NoOptimum, Oracle
-from heli_gym.train.results import Args, compare, improvement, interquartile_mean, mean_with_interval, table_of
 from numpy.testing import assert_allclose, assert_array_equal
 from rich.console import Console
 from scipy.stats import norm
 
+from heli_gym.baselines import fly, make_policy
+from heli_gym.baselines.control.residual import load_learned, save_learned
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import Plant, Push
+from heli_gym.train import results
+from heli_gym.train.oracle import EFFORT, NoOptimum, Oracle
+from heli_gym.train.results import Args, compare, improvement, interquartile_mean, mean_with_interval, table_of
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 SMALL = Args(policies=("feedforward+tvlqr",), against="feedforward+tvlqr", reference="climb-7.5")

@@ -27,7 +27,7 @@ def simulation(plants, dtype=np.float64):
     )
     for j in range(len(plants)):
         flights.draw(j, np.random.default_rng(j))
-    flights.begin(np.arange(len(plants)))
+    flights.reset(np.arange(len(plants)))
     return flights
 
 
@@ -39,18 +39,18 @@ def test_torch_takes_the_step_that_the_compiled_kernel_takes(name, dtype, tolera
     for _ in range(20):
         action = rng.normal(0.31, 0.1, (len(plants), 2)).astype(dtype)
         fleet, state = torch_simulation.to_torch(flights)
-        state, told = torch_simulation.step(fleet, state, torch.tensor(action))
+        state, outputs = torch_simulation.step(fleet, state, torch.tensor(action))
         _, observation, rows = flights.step(action)
         measured = rows[MEASURED:] if len(rows) > MEASURED else rows[X : X + 6]
         assert_allclose(state.x, rows[X : X + 6], rtol=tolerance, atol=tolerance)
         # a rate estimated from counts is off by a count where rounding differs
         assert (np.abs(state.measured.numpy() - measured) > 100.0 * tolerance).mean() < 0.01
-        assert_allclose(told.reward, rows[REWARD], rtol=tolerance, atol=tolerance)
-        assert_allclose(told.cost, rows[COST], rtol=tolerance, atol=tolerance)
-        assert_array_equal(told.terminated, rows[TERMINATED] > 0.0)
-        assert_array_equal(told.truncated, rows[TRUNCATED] > 0.0)
+        assert_allclose(outputs.reward, rows[REWARD], rtol=tolerance, atol=tolerance)
+        assert_allclose(outputs.cost, rows[COST], rtol=tolerance, atol=tolerance)
+        assert_array_equal(outputs.terminated, rows[TERMINATED] > 0.0)
+        assert_array_equal(outputs.truncated, rows[TRUNCATED] > 0.0)
         if dtype is np.float64:
-            assert_allclose(told.observation, observation, rtol=0.0, atol=1e-6)
+            assert_allclose(outputs.observation, observation, rtol=0.0, atol=1e-6)
 
 
 def test_a_flight_of_many_steps_stays_the_same():
@@ -68,8 +68,8 @@ def test_the_return_has_a_gradient_with_respect_to_the_actions():
     actions = torch.full((3, 2), 0.31, dtype=torch.float64, requires_grad=True)
     total = torch.zeros((), dtype=torch.float64)
     for _ in range(5):
-        state, told = torch_simulation.step(fleet, state, actions)
-        total = total + told.reward.sum()
+        state, outputs = torch_simulation.step(fleet, state, actions)
+        total = total + outputs.reward.sum()
     total.backward()
     assert torch.isfinite(actions.grad).all()
     assert (actions.grad != 0.0).all()

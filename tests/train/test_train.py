@@ -9,18 +9,18 @@ import pytest
 torch = pytest.importorskip("torch")
 pytest.importorskip("stable_baselines3")
 
-from heli_gym.baselines import make_policy  # noqa: E402
-from heli_gym.baselines.control.residual import ResidualPolicy, load_learned  # noqa: E402
-from heli_gym.baselines.evaluation.metrics import flight_metrics  # noqa: E402
-from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
-from heli_gym.train.checkpoint import last_checkpoint, read_checkpoint, save_checkpoint  # noqa: E402
-from heli_gym.train.train import VALIDATION_SEED, Args, check, make_agent, network_of, run_folder, score, train  # noqa: E402
-from heli_gym.train.vec_env import HeliVecEnv, ResidualVecEnv  # noqa: E402
 from numpy.testing import assert_allclose, assert_array_equal  # noqa: E402
 from rich.console import Console  # noqa: E402
 from stable_baselines3 import PPO  # noqa: E402
 
+from heli_gym.baselines import make_policy  # noqa: E402
+from heli_gym.baselines.control.residual import ResidualPolicy, load_learned  # noqa: E402
+from heli_gym.baselines.evaluation.metrics import flight_metrics  # noqa: E402
+from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
 from heli_gym.env import find_reference  # noqa: E402
+from heli_gym.train.checkpoint import last_checkpoint, read_checkpoint, save_checkpoint  # noqa: E402
+from heli_gym.train.train import VALIDATION_SEED, Args, check, make_agent, network_of, run_folder, score, train  # noqa: E402
+from heli_gym.train.vec_env import HeliVecEnv, ResidualVecEnv  # noqa: E402
 from heli_gym.vector_env import Heli3DOFVectorEnv  # noqa: E402
 
 SHORT = find_reference("climb-7.5")
@@ -49,9 +49,9 @@ def test_an_agent_that_does_nothing_flies_the_base_and_sees_its_features_across_
     vec.reset()
     for _ in range(400):  # more than an episode, and the first ones start at different times
         features, _, done, infos = vec.step(np.zeros((4, 2), np.float32))
-        assert np.isfinite(features).all() and features.shape == (4, vec.seen)
+        assert np.isfinite(features).all() and features.shape == (4, vec.n_actor_features)
         for i in np.flatnonzero(done):
-            assert infos[i]["terminal_observation"].shape == (vec.seen,)
+            assert infos[i]["terminal_observation"].shape == (vec.n_actor_features,)
             alone = ResidualPolicy(make_policy(base, SHORT), SHORT, None, 1.0)
             expected = alone.observe(0.0, vec.info["measurement"][i])[1]
             assert_allclose(features[i], expected, atol=1e-6)
@@ -70,7 +70,7 @@ def test_what_only_the_critic_sees_does_not_reach_the_actor():
     agent = make_agent(SMALL, vec)
     observation = torch.zeros((1, vec.observation_space.shape[0]))
     changed = observation.clone()
-    changed[:, vec.seen :] = 3.0
+    changed[:, vec.n_actor_features :] = 3.0
     with torch.no_grad():
         mean = agent.policy.get_distribution(observation).distribution.mean
         assert torch.equal(mean, agent.policy.get_distribution(changed).distribution.mean)
@@ -83,7 +83,7 @@ def test_the_network_for_numpy_is_the_agents(algo):
     agent = make_agent(replace(SMALL, algo=algo, buffer=1000), vec)
     observations = np.random.default_rng(0).uniform(-2, 2, (50, vec.observation_space.shape[0])).astype(np.float32)
     expected, _ = agent.predict(observations, deterministic=True)
-    actual = np.clip(network_of(agent)(observations[:, : vec.seen].T.astype(float)).T, -1.0, 1.0)
+    actual = np.clip(network_of(agent)(observations[:, : vec.n_actor_features].T.astype(float)).T, -1.0, 1.0)
     assert_allclose(actual, expected, atol=1e-6)
     assert np.abs(actual).max() < 0.1  # the agent starts from the base policy
 
@@ -161,7 +161,7 @@ def test_a_network_that_crashes_early_is_not_the_best_whatever_its_errors_until_
         ({"chunk": 33}, "chunk"),
         ({"steps": 1001 * 32 * 8}, "steps = .* 1001 chunks"),  # the thousand and first would fly the next seed's draws
         ({"seed": 2097, "envs": 512, "steps": 153 * 32 * 512}, "seed = 2097: with envs = 512 and 153 chunks"),
-        ({"sees": ("moon",)}, "sees"),
+        ({"feature_groups": ("moon",)}, "feature_groups"),
         ({"plant": "moon"}, "plant"),
         ({"out": Path(__file__)}, "out"),
     ],

@@ -18,9 +18,9 @@ export interface FeatureSettings {
 /** A stored network: what it corrects, and its layers as base64 of float32, row by row. */
 export interface StoredNetwork {
   base: KalmanSettings;
-  sees: string[]; // which groups of features
+  featureGroups: string[]; // which groups of features
   scale: number; // V, the greatest correction
-  squashes: boolean; // whether the tanh of the last layer is taken too
+  tanhOutput: boolean; // whether the tanh of the last layer is taken too
   layers: { weight: string; bias: string }[];
 }
 
@@ -43,11 +43,11 @@ export function unpacked({ layers, ...settings }: StoredNetwork): Network {
 }
 
 /** The actions in [-1, 1]² for features. */
-export function actions({ layers, squashes }: Network, features: number[]): Pair {
+export function actions({ layers, tanhOutput }: Network, features: number[]): Pair {
   const last = layers.length - 1;
   const out = layers.reduce((value, { weight, bias }, k) => {
     const sums = applied(weight, value).map((sum, i) => sum + bias[i]);
-    return k < last || squashes ? sums.map(Math.tanh) : sums;
+    return k < last || tanhOutput ? sums.map(Math.tanh) : sums;
   }, features);
   return out.map((action) => clip(action, [-1, 1])) as Pair;
 }
@@ -99,7 +99,7 @@ export class ResidualController implements Controller {
       }),
       past: before.flatMap((seconds) => this.past[this.steps(seconds) - 1]),
     };
-    const seen = Object.entries(groups).flatMap(([name, values]) => (this.network.sees.includes(name) ? values : []));
+    const seen = Object.entries(groups).flatMap(([name, values]) => (this.network.featureGroups.includes(name) ? values : []));
     return seen.map((value) => clip(value, [-largest, largest]));
   }
 
