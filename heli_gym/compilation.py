@@ -1,6 +1,7 @@
 """How the equations are compiled: as they stand, for one kind of number, and kept on disk while they stay the same."""
 
 from collections.abc import Callable, Collection, Mapping
+from functools import cache
 from hashlib import sha256
 from types import CodeType, FunctionType, MappingProxyType
 from typing import Any
@@ -105,3 +106,14 @@ def contents(code: CodeType) -> tuple:
     """What a code object says, wherever it is in memory."""
     constants = [contents(value) if isinstance(value, CodeType) else repr(value) for value in code.co_consts]
     return code.co_code, constants, code.co_names
+
+
+@cache
+def compiler(fast: bool = False) -> Compiler:
+    """The compiler in double precision that modules share, so that each function is compiled once."""
+    return Compiler(fast=FAST if fast else ())
+
+
+def jit_cached(function: Any, fast: bool = False) -> Callable:
+    """Compile a function with all that it calls, and cache it on disk; `fast` assumes that nothing is NaN."""
+    return compiler(fast).entry(function)

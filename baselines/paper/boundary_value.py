@@ -10,9 +10,9 @@ from numpy.polynomial import Polynomial
 from numpy.polynomial.polynomial import polyval
 from scipy.integrate import solve_bvp
 
-from heli_gym.baselines.compilation import jit_cached
 from heli_gym.baselines.paper.normal_form import ddy1_bounds, ddy2_bounds, feedforward, internal_dynamics, thrust_bounds
 from heli_gym.baselines.paper.saturation import Saturation, ddy2, psi1, psi1_inverse, psi2_bounds, ramp
+from heli_gym.compilation import jit_cached
 from heli_gym.model import fan_thrusts, voltage
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.trajectory import Maneuver, Trajectory

@@ -10,7 +10,7 @@ from functools import cache
 
 import numpy as np
 
-from heli_gym.baselines.compilation import jit_cached
+from heli_gym.compilation import jit_cached
 from heli_gym.model import dynamics, linearise
 from heli_gym.parameters import HelicopterParameters
 

@@ -13,7 +13,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial.polynomial import polyval
 
-from heli_gym.baselines.compilation import jit_cached
 from heli_gym.baselines.paper.boundary_value import (
     CLOSEST_PITCH,
     COEFFICIENTS,
@@ -28,6 +27,7 @@ from heli_gym.baselines.paper.boundary_value import (
 )
 from heli_gym.baselines.paper.normal_form import alpha1, alpha2, internal_dynamics, thrust_bounds
 from heli_gym.baselines.paper.saturation import psi1, psi1_inverse
+from heli_gym.compilation import jit_cached
 from heli_gym.model import axpy, thrust, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 

@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from heli_gym import HelicopterParameters
-from heli_gym.baselines.compilation import compiler
 from heli_gym.baselines.paper.normal_form import internal_dynamics
-from heli_gym.compilation import Compiler
+from heli_gym.compilation import Compiler, compiler
 
 SCALE = 1.0
 
