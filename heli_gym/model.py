@@ -42,7 +42,7 @@ def fan_thrusts(v: Any) -> tuple:
 
 
 def dynamics(x: Any, v: Any, parameters: HelicopterParameters, sin: Any = np.sin, cos: Any = np.cos) -> tuple:
-    """Equation (3): time derivative of the state x (6, ...) under the virtual input v (2, ...) in N.
+    """Equation (3) with viscous friction: time derivative of the state x (6, ...) under the inputs v (2, ...) in N.
 
     Takes whatever supports arithmetic, indexing aside: floats, arrays, complex numbers, CasADi
     expressions, torch tensors; `sin` and `cos` must suit them.
@@ -50,9 +50,9 @@ def dynamics(x: Any, v: Any, parameters: HelicopterParameters, sin: Any = np.sin
     _, dq1, q2, dq2, q3, dq3 = x
     v1, v2 = v
     p = parameters
-    ddq1 = p.b1 * cos(q2) * sin(q3) * v1
-    ddq2 = p.a1 * sin(q2) + p.a2 * cos(q2) + p.b2 * cos(q3) * v1
-    ddq3 = p.a3 * cos(q2) * sin(q3) + p.b3 * v2
+    ddq1 = p.b1 * cos(q2) * sin(q3) * v1 - p.c1 * dq1
+    ddq2 = p.a1 * sin(q2) + p.a2 * cos(q2) + p.b2 * cos(q3) * v1 - p.c2 * dq2
+    ddq3 = p.a3 * cos(q2) * sin(q3) + p.b3 * v2 - p.c3 * dq3
     return dq1, ddq1, dq2, ddq2, dq3, ddq3
 
 

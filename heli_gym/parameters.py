@@ -10,7 +10,7 @@ Scalar: TypeAlias = Any  # a float, or (N,) values that describe N helicopters
 
 
 class HelicopterParameters(NamedTuple):
-    """Table I: the coefficients of the thrust map (2) and of the equations of motion (3).
+    """Table I: the coefficients of the thrust map (2) and of the equations of motion (3), and viscous friction.
 
     A NamedTuple, because compiled kernels accept it. `_replace` makes a variant.
     """
@@ -23,6 +23,9 @@ class HelicopterParameters(NamedTuple):
     b1: Scalar = -0.6354  # rad/s² per N, thrust sum on travel
     b2: Scalar = -0.6523  # rad/s² per N, thrust sum on elevation
     b3: Scalar = 4.6276  # rad/s² per N, thrust difference on pitch
+    c1: Scalar = 0.0  # 1/s, viscous friction of travel; the paper has none, real rigs 0.07 to 0.17
+    c2: Scalar = 0.0  # 1/s, viscous friction of elevation
+    c3: Scalar = 0.0  # 1/s, viscous friction of pitch
 
 
 @dataclass(frozen=True)

@@ -130,7 +130,7 @@ def greatest_acceleration(p: HelicopterParameters, u_max: float) -> np.ndarray:
     Parameters may be ranges: each term grows with the magnitude of every parameter in it, and so is greatest in a
     corner.
     """
-    k_plus, k_minus, a1, a2, a3, b1, b2, b3 = map(magnitude, p)
+    k_plus, k_minus, a1, a2, a3, b1, b2, b3, *_ = map(magnitude, p)  # friction only slows down
     v_max = 2.0 * max(k_plus, k_minus) * u_max**2
     return np.array([b1 * v_max, a1 + a2 + b2 * v_max, a3 + b3 * v_max])
 

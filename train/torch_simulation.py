@@ -123,7 +123,7 @@ def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Fleet, State]
 
     zero = torch.zeros(1, dtype=rows(X, 1).dtype, device=device)
     body = Body(
-        HelicopterParameters(*rows(PARAMETERS, 8)),
+        HelicopterParameters(*rows(PARAMETERS, len(HelicopterParameters._fields))),
         RigidBodyParameters(*rows(RIG, 11)),
         rows(VISCOUS, 3),
         rows(COULOMB, 3),

@@ -40,15 +40,15 @@ N_OUTPUTS, N_OUTPUTS_SENSED = 14, 20  # rows
 MOTOR, ROTOR, STEP, LAST, REFERENCE_ROW, KEY, LIMITS, PITCH_LIMITS = 20, 22, 24, 25, 26, 27, 28, 30
 # what it is, in the order of `simulation.numbers`:
 NUMBERS = PARAMETERS = 32
-RIG, RIG_REST, LAG, LOSS, SLEW, DELAY, VISCOUS, COULOMB = 40, 48, 51, 52, 53, 54, 55, 58
-COUNTS, NOISE, RATE_FILTER = 61, 64, 65
+PARAMETERS_REST, RIG, RIG_REST, LAG, LOSS, SLEW, DELAY, VISCOUS, COULOMB = 40, 43, 51, 54, 55, 56, 57, 58, 61
+COUNTS, NOISE, RATE_FILTER = 64, 67, 68
 # what follows from that and from the control period, and is kept for speed:
-LAG_DECAY, RATE_DECAY = 66, 67
+LAG_DECAY, RATE_DECAY = 69, 70
 # what is passed on within a step: what the disturbances amount to, the reference's state and nominal voltages, the
 # voltage that arrives at a motor, and noise on the angles:
-TORQUES, A2_CHANGE, EFFECT, REFERENCE, NOMINAL, ARRIVING, ON_ANGLES = 68, 71, 72, 74, 80, 82, 83
+TORQUES, A2_CHANGE, EFFECT, REFERENCE, NOMINAL, ARRIVING, ON_ANGLES = 71, 74, 75, 77, 83, 85, 86
 # its disturbances, DISTURBANCE rows each, and after the last one the voltages still delayed, the oldest first:
-DISTURBANCES, DISTURBANCE = 86, 8
+DISTURBANCES, DISTURBANCE = 89, 8
 KIND, CHANNEL, AMOUNT, BEGIN, DURATION, CORRELATION, DECAY, GUST = range(8)
 PULSE, ORNSTEIN_UHLENBECK, RAMP = range(3)
 
@@ -267,7 +267,7 @@ def sum_disturbances(block: Any, n: int, s: Settings, after: Any, h: Any) -> Non
 def integrate(block: Any, n: int, h: Any) -> None:
     """h seconds of flight, the voltages at the motors being held: the rotors exactly, the body by Runge-Kutta."""
     for i in range(n):
-        p = HelicopterParameters(*eight(block, PARAMETERS, i))
+        p = HelicopterParameters(*eight(block, PARAMETERS, i), *three(block, PARAMETERS_REST, i))
         rig = RigidBodyParameters(*eight(block, RIG, i), *three(block, RIG_REST, i))
         torques = (*three(block, TORQUES, i), block[A2_CHANGE * ROW + i])
         body = Body(p, rig, three(block, VISCOUS, i), three(block, COULOMB, i), torques)
@@ -303,7 +303,10 @@ def step_plant(block: Any, n: int, s: Settings) -> None:
 def step_equation_3(block: Any, n: int, s: Settings) -> None:
     """One control period of (3) with rotors that follow at once: what `step_plant` does then, with less to keep."""
     for i in range(n):
-        p, (u_f, u_b) = HelicopterParameters(*eight(block, PARAMETERS, i)), two(block, COMMAND, i)
+        p, (u_f, u_b) = (
+            HelicopterParameters(*eight(block, PARAMETERS, i), *three(block, PARAMETERS_REST, i)),
+            two(block, COMMAND, i),
+        )
         v = virtual_input((thrust(u_f, p), thrust(u_b, p)))
         put_six(block, X, i, rk4_step(derivative, six(block, X, i), (v, v, v), s.period, Body(p, (), (), (), ())))
 
