@@ -64,8 +64,8 @@ def find_reference(reference: str | Trajectory | Sampler) -> Trajectory | Sample
     if not path.is_file():
         names = ", ".join(sorted(repr(known.stem) for known in REFERENCES.glob("*.npz")))
         raise ValueError(
-            f"reference = {reference!r}: a Trajectory, a sampler, the path of an existing .npz file or "
-            f"one of {names} is needed"
+            f"reference = {reference!r}: must be a Trajectory, a sampler, the path of an existing .npz file or "
+            f"one of {names}"
         )
     try:
         return Trajectory.load(path)
@@ -205,7 +205,7 @@ class Heli3DOFEnv(gym.Env):
             known = ", ".join(inspect.signature(Heli3DOFEnv).parameters).removesuffix(", unknown")
             raise ValueError(f"{', '.join(f'{k} = {v!r}' for k, v in unknown.items())}: the arguments are {known}")
         if render_mode not in (None, *self.metadata["render_modes"]):
-            raise ValueError(f"render_mode = {render_mode!r}: None, 'human' or 'rgb_array' is needed")
+            raise ValueError(f"render_mode = {render_mode!r}: must be None, 'human' or 'rgb_array'")
         self.render_mode = render_mode
         self.renderer: Renderer | None = None
         self.plant = find_plant(plant)
@@ -270,7 +270,7 @@ class Heli3DOFEnv(gym.Env):
         except (AttributeError, TypeError, ValueError):  # no array of two numbers
             time, reward, cost, over = self.step_one(self.memory, *two_numbers(action), observation, outputs)
         if over == NOT_FINITE:
-            raise ValueError(f"action = {action!r}: two finite numbers are needed")
+            raise ValueError(f"action = {action!r}: must be two finite numbers")
         info = {
             "state": outputs[STATE],
             "measurement": outputs[MEASUREMENT],
@@ -335,8 +335,8 @@ class Heli3DOFEnv(gym.Env):
         near = state is not None and (abs(state - nominal) <= task.FARTHEST_START).all()
         if state is None or not near or task.crashed(state[4], self.pitch_limit):
             raise ValueError(
-                f"options['state'] = {options['state']!r}: six finite numbers, at most 1 rad and 1 rad/s from the "
-                f"reference's start {nominal} and with the pitch within {self.pitch_limit:g} rad, are needed"
+                f"options['state'] = {options['state']!r}: must be six finite numbers, within 1 rad and 1 rad/s of the "
+                f"reference's start {nominal} and with the pitch within {self.pitch_limit:g} rad"
             )
         return np.array([state])
 
@@ -363,7 +363,7 @@ def two_numbers(action: Any) -> list[float]:
     """The two numbers of an action. Raises ValueError if it is anything else."""
     values = _numbers(action, 2)
     if values is None:
-        raise ValueError(f"action = {action!r}: two finite numbers are needed")
+        raise ValueError(f"action = {action!r}: must be two finite numbers")
     return values
 
 
@@ -380,12 +380,12 @@ def _numbers(values: Any, count: int) -> list[float] | None:
 def _number(name: str, value: Any, unit: str, low: float, high: float) -> float:
     """The value, if it is in [low, high]."""
     if not isinstance(value, Real) or not low <= float(value) <= high:
-        raise ValueError(f"{name} = {value!r}: at least {low:g} and at most {high:g} {unit} is needed")
+        raise ValueError(f"{name} = {value!r}: must be at least {low:g} and at most {high:g} {unit}")
     return float(value)
 
 
 def _pair(name: str, value: Any) -> tuple[float, float]:
     numbers = _numbers(value, 2)
     if numbers is None or not numbers[0] < numbers[1]:
-        raise ValueError(f"{name} = {value!r}: (min, max) in V with min < max is needed")
+        raise ValueError(f"{name} = {value!r}: must be (min, max) in V with min < max")
     return numbers[0], numbers[1]

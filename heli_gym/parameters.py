@@ -43,13 +43,13 @@ class Limits:
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
             if not math.isfinite(value):
-                raise ValueError(f"{name} = {value!r}: a finite number is needed")
+                raise ValueError(f"{name} = {value!r}: must be a finite number")
         if not self.u_min < self.u_max:
-            raise ValueError(f"u_min = {self.u_min:g} V and u_max = {self.u_max:g} V: u_min < u_max is needed")
+            raise ValueError(f"u_min = {self.u_min:g} V and u_max = {self.u_max:g} V: u_min must be less than u_max")
         if not -math.pi / 2 < self.pitch_min < 0.0 < self.pitch_max < math.pi / 2:
             raise ValueError(
                 f"pitch_min = {self.pitch_min:g} rad and pitch_max = {self.pitch_max:g} rad: "
-                "-pi/2 < pitch_min < 0 < pitch_max < pi/2 is needed"
+                "must be -pi/2 < pitch_min < 0 < pitch_max < pi/2"
             )
 
     def __str__(self) -> str:

@@ -35,7 +35,7 @@ class Uniform:
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.low) and math.isfinite(self.high) and self.low <= self.high):
-            raise ValueError(f"{self}: finite numbers with low <= high are needed")
+            raise ValueError(f"{self}: must be finite numbers with low <= high")
 
 
 Number: TypeAlias = Any  # a float, or a Uniform to draw one from
@@ -45,13 +45,13 @@ def check_number(name: str, value: Number, low: float, high: float) -> None:
     """Raises ValueError unless the number, or all of its range, is within [low, high]."""
     bounds = (value.low, value.high) if isinstance(value, Uniform) else (value, value)
     if not (low <= bounds[0] and bounds[1] <= high):
-        raise ValueError(f"{name} = {value}: at least {low:g} and at most {high:g} is needed")
+        raise ValueError(f"{name} = {value}: must be at least {low:g} and at most {high:g}")
 
 
 def check_finite(name: str, value: Number) -> None:
     """Raises ValueError unless it is a finite number, or a range, which is finite."""
     if not (isinstance(value, Uniform) or math.isfinite(value)):
-        raise ValueError(f"{name} = {value}: a finite number is needed")
+        raise ValueError(f"{name} = {value}: must be a finite number")
 
 
 def magnitude(value: Number) -> Any:
@@ -62,7 +62,7 @@ def magnitude(value: Number) -> Any:
 def check_choice(name: str, value: str, choices: tuple[str, ...]) -> None:
     """Raises ValueError unless the value is one of the choices."""
     if value not in choices:
-        raise ValueError(f"{name} = {value!r}: one of {', '.join(map(repr, choices))} is needed")
+        raise ValueError(f"{name} = {value!r}: must be one of {', '.join(map(repr, choices))}")
 
 
 @dataclass(frozen=True)
@@ -124,7 +124,7 @@ class Rotors:
         check_number("thrust_loss", self.thrust_loss, 0.0, 1.0)
         check_number("slew", self.slew, 0.0, math.inf)
         if not (isinstance(self.delay, Integral) and 0 <= self.delay <= 1000):
-            raise ValueError(f"delay = {self.delay}: a whole number, at least 0 and at most 1000, is needed")
+            raise ValueError(f"delay = {self.delay}: must be a whole number, at least 0 and at most 1000")
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,7 @@ class Friction:
     def __post_init__(self) -> None:
         for name in ("viscous", "coulomb"):
             if len(getattr(self, name)) != len(AXES):
-                raise ValueError(f"{name} = {getattr(self, name)}: one value each for {', '.join(AXES)} is needed")
+                raise ValueError(f"{name} = {getattr(self, name)}: must be one value each for {', '.join(AXES)}")
             for value in getattr(self, name):
                 check_number(name, value, 0.0, math.inf)
                 check_finite(name, value)
@@ -157,7 +157,7 @@ class Sensors:
 
     def __post_init__(self) -> None:
         if len(self.counts) != len(AXES) or not all(isinstance(n, Integral) and n >= 1 for n in self.counts):
-            raise ValueError(f"counts = {self.counts}: a positive whole number each for {', '.join(AXES)} is needed")
+            raise ValueError(f"counts = {self.counts}: must be a positive whole number each for {', '.join(AXES)}")
         check_number("noise", self.noise, 0.0, math.inf)
         check_finite("noise", self.noise)
         check_number("rate_filter", self.rate_filter, 1e-6, math.inf)
@@ -332,5 +332,5 @@ def find_plant(plant: str | Plant) -> Plant:
     if isinstance(plant, Plant):
         return plant
     if not isinstance(plant, str) or plant not in PLANTS:
-        raise ValueError(f"plant = {plant!r}: a Plant or one of {', '.join(map(repr, PLANTS))} is needed")
+        raise ValueError(f"plant = {plant!r}: must be a Plant or one of {', '.join(map(repr, PLANTS))}")
     return PLANTS[plant]

@@ -295,7 +295,7 @@ class Renderer:
 
     def __init__(self, width: int = 960) -> None:
         if not isinstance(width, int) or width % 8 or not 160 <= width <= 3840:
-            raise ValueError(f"width = {width!r}: a multiple of 8 from 160 to 3840 is needed")
+            raise ValueError(f"width = {width!r}: must be a multiple of 8 from 160 to 3840")
         self.pygame = pygame = load_pygame()
         self.size = (width, width * 3 // 4)
         self.scale = OVERSAMPLING * width / WIDTH  # pixels of the canvas per unit of the layout

@@ -53,10 +53,10 @@ def solve_rigid_body(
     Raises ValueError for another variant, and if no rig of this geometry qualifies.
     """
     if variant not in VARIANTS:
-        raise ValueError(f"variant = {variant!r}: one of {', '.join(map(repr, VARIANTS))} is needed")
+        raise ValueError(f"variant = {variant!r}: must be one of {', '.join(map(repr, VARIANTS))}")
     p = parameters
     if not np.all((p.b1 < 0.0) & (p.b2 < 0.0) & (p.b3 > 0.0)):
-        raise ValueError(f"{p}: b1 < 0, b2 < 0 and b3 > 0 are needed")
+        raise ValueError(f"{p}: must have b1 < 0, b2 < 0 and b3 > 0")
 
     # Inertias from b1, b2, b3; first moments from a1, a2, a3.
     D11, D22, D33 = -l_h / p.b1, -l_h / p.b2, l_p / p.b3

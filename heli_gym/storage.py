@@ -28,4 +28,4 @@ def check_folder(name: str, path: str | os.PathLike) -> None:
     path = Path(path)
     nearest = next(folder for folder in (path, *path.absolute().parents) if folder.exists())
     if not nearest.is_dir():
-        raise ValueError(f"{name} = {str(path)!r}: a folder is needed, and {str(nearest)!r} is a file")
+        raise ValueError(f"{name} = {str(path)!r}: must be a folder, but {str(nearest)!r} is a file")

@@ -40,13 +40,13 @@ class Maneuver:
 
     def __post_init__(self) -> None:
         if not isinstance(self.limits, Limits):
-            raise ValueError(f"limits = {self.limits!r}: a Limits is needed")
+            raise ValueError(f"limits = {self.limits!r}: must be a Limits")
         if not (isinstance(self.duration, Real) and math.isfinite(self.duration) and self.duration > 0.0):
-            raise ValueError(f"duration = {self.duration!r}: a positive, finite number of seconds is needed")
+            raise ValueError(f"duration = {self.duration!r}: must be a positive, finite number of seconds")
         for name in ("start", "goal"):
             point = np.asarray(getattr(self, name))
             if point.dtype.kind not in "iuf" or point.shape != (2,) or not np.isfinite(point).all():
-                raise ValueError(f"{name} = {getattr(self, name)!r}: finite (travel, elevation) in rad are needed")
+                raise ValueError(f"{name} = {getattr(self, name)!r}: must be finite (travel, elevation) in rad")
             object.__setattr__(self, name, (float(point[0]), float(point[1])))
             elevation = float(point[1])
             thrust_sum = float(hover_input(elevation, self.parameters)[0])
@@ -96,7 +96,9 @@ class Trajectory:
         for name, shape in (("t", (n,)), ("x", (6, n)), ("u", (2, n))):
             value = getattr(self, name)
             if value.shape != shape or n < 2:
-                raise ValueError(f"{name} has shape {value.shape}: t (K,), x (6, K), u (2, K) with K >= 2 are needed")
+                raise ValueError(
+                    f"{name} has shape {value.shape}; the shapes must be t (K,), x (6, K), u (2, K) with K >= 2"
+                )
             if not np.isfinite(value).all():
                 raise ValueError(f"{name} is not finite")
         if self.t[0] != 0.0 or not (np.diff(self.t) > 0.0).all():
@@ -130,7 +132,7 @@ class Trajectory:
         """Write to an .npz file, atomically and without pickle."""
         path = Path(path)
         if path.suffix != ".npz":
-            raise ValueError(f"path = {str(path)!r}: a name that ends in .npz is needed")
+            raise ValueError(f"path = {str(path)!r}: must end in .npz")
         limits = np.array([*self.limits.u, *self.limits.pitch])
         with atomic_write(path) as file:
             np.savez_compressed(file, t=self.t, x=self.x, u=self.u, limits=limits)

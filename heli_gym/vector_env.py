@@ -69,16 +69,16 @@ class Heli3DOFVectorEnv(VectorEnv):
         **unknown: Any,
     ) -> None:
         if isinstance(num_envs, bool) or not isinstance(num_envs, int | np.integer) or num_envs < 1:
-            raise ValueError(f"num_envs = {num_envs!r}: a positive whole number is needed")
+            raise ValueError(f"num_envs = {num_envs!r}: must be a positive whole number")
         num_envs = int(num_envs)
         if dtype not in ("float64", "float32"):
-            raise ValueError(f"dtype = {dtype!r}: 'float64' or 'float32' is needed")
+            raise ValueError(f"dtype = {dtype!r}: must be 'float64' or 'float32'")
         if render_mode not in (None, *self.metadata["render_modes"]):
-            raise ValueError(f"render_mode = {render_mode!r}: None or 'rgb_array' is needed")
+            raise ValueError(f"render_mode = {render_mode!r}: must be None or 'rgb_array'")
         self.num_envs, self.render_mode, self.dtype = num_envs, render_mode, np.dtype(dtype).type
         modes = [mode.value for mode in AutoresetMode]
         if not isinstance(autoreset_mode, AutoresetMode) and autoreset_mode not in modes:
-            raise ValueError(f"autoreset_mode = {autoreset_mode!r}: one of {modes} is needed")
+            raise ValueError(f"autoreset_mode = {autoreset_mode!r}: must be one of {modes}")
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         plants = broadcast_to_envs("plant", plant, num_envs, find_plant)
         references = broadcast_to_envs("reference", reference, num_envs, find_reference)
@@ -130,7 +130,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         mask = options.pop("reset_mask", self.all)
         if not isinstance(mask, np.ndarray) or mask.dtype != bool or mask.shape != (self.num_envs,) or not mask.any():
             raise ValueError(
-                f"options['reset_mask'] = {mask!r}: a boolean array ({self.num_envs},), one true, is needed"
+                f"options['reset_mask'] = {mask!r}: must be a boolean array ({self.num_envs},), at least one true"
             )
         unknown = set(options) - {"state", "plant", "time"}
         if unknown:
@@ -144,11 +144,11 @@ class Heli3DOFVectorEnv(VectorEnv):
         else:
             seeds = [None if one is None else int(one) for one in seed]
         if len(seeds) != self.num_envs:
-            raise ValueError(f"seed = {seed!r}: a whole number, or one for each of {self.num_envs}, is needed")
+            raise ValueError(f"seed = {seed!r}: must be a whole number, or one for each of {self.num_envs}")
         helicopters = np.flatnonzero(mask)
         times = None if options.get("time") is None else np.asarray(options["time"], float)
         if times is not None and not (times.shape == (self.num_envs,) and np.isfinite(times).all()):
-            raise ValueError(f"options['time'] = {options['time']!r}: finite times ({self.num_envs},) in s are needed")
+            raise ValueError(f"options['time'] = {options['time']!r}: must be finite times ({self.num_envs},) in s")
 
         for i in helicopters.tolist():
             if seeds[i] is not None:
@@ -180,14 +180,14 @@ class Heli3DOFVectorEnv(VectorEnv):
         if type(actions) is not np.ndarray or actions.dtype.char not in "fd":
             actions = np.asarray(actions, float)
         if actions.shape != (self.num_envs, 2):
-            raise ValueError(f"actions of shape {actions.shape}: ({self.num_envs}, 2) is needed")
+            raise ValueError(f"actions have shape {actions.shape}: must be ({self.num_envs}, 2)")
         mode, waiting = self.autoreset_mode, self.over
         if mode is AutoresetMode.DISABLED and self.is_waiting:
             raise gym.error.ResetNeeded(f"the episodes {np.flatnonzero(waiting)} are over: reset them before step")
         count, observation, outputs = self.simulation.step(actions)
         if count == NOT_FINITE:
             bad = np.flatnonzero(~np.isfinite(actions.astype(self.dtype)).all(axis=1))
-            raise ValueError(f"actions[{bad[0]}] = {actions[bad[0]]}: two finite numbers are needed")
+            raise ValueError(f"actions[{bad[0]}] = {actions[bad[0]]}: must be two finite numbers")
 
         flown = self.all
         if mode is AutoresetMode.NEXT_STEP and self.is_waiting:
@@ -255,13 +255,13 @@ class Heli3DOFVectorEnv(VectorEnv):
             states = np.array(np.broadcast_to(np.asarray(value, float), (self.num_envs, 6)))
         except (TypeError, ValueError) as error:
             raise ValueError(
-                f"options['state'] = {value!r}: finite numbers (6,) or ({self.num_envs}, 6) are needed"
+                f"options['state'] = {value!r}: must be finite numbers (6,) or ({self.num_envs}, 6)"
             ) from error
         near = (np.abs(states[helicopters] - starts) <= np.array(task.FARTHEST_START)).all()
         if not near or task.crashed(states[helicopters, 4], self.pitch_limit).any():
             raise ValueError(
-                f"options['state'] = {value!r}: at most 1 rad and 1 rad/s from the references' starts, and the pitch "
-                f"within {self.pitch_limit:g} rad, is needed"
+                f"options['state'] = {value!r}: must be within 1 rad and 1 rad/s of the references' starts, and the "
+                f"pitch within {self.pitch_limit:g} rad"
             )
         return states
 
@@ -309,7 +309,7 @@ def broadcast_to_envs(name: str, value: Any, count: int, find: Callable) -> list
     """What `find` finds for each helicopter, given one value for all or a sequence of one each."""
     values = value if isinstance(value, list | tuple) else [value] * count
     if len(values) != count:
-        raise ValueError(f"{name}: {len(values)} values, and {count} are needed, or one for all")
+        raise ValueError(f"{name}: {len(values)} values; must be {count}, or one for all")
     found: dict[Any, Any] = {}
     for one in values:
         key = one if isinstance(one, str) else id(one)

@@ -70,9 +70,9 @@ class Oracle:
         ca = import_casadi()
         example = plant.at(np.zeros(plant.uniforms)) if plant.uniforms else plant
         if any(example.friction.coulomb) or np.isfinite(example.rotors.slew) or example.disturbances:
-            raise ValueError(f"plant = {plant}: no Coulomb friction, slew limit or disturbances are needed")
+            raise ValueError(f"plant = {plant}: must have no Coulomb friction, slew limit or disturbances")
         if not example.rotors.lag > 0.0:
-            raise ValueError(f"plant: the lag of its rotors is {example.rotors.lag:g} s, and more than 0 s is needed")
+            raise ValueError(f"plant: the lag of its rotors is {example.rotors.lag:g} s; must be more than 0 s")
         self.delay, self.is_rigid = example.rotors.delay, example.rig is not None
         x_ref, u_ref = control_grid(reference, control_period)
         self.x_ref, self.u_ref = x_ref, u_ref[:, :-1]

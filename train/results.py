@@ -147,11 +147,11 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
     """
     check_folder("out", args.out)
     if args.episodes < 2:
-        raise ValueError(f"episodes = {args.episodes}: at least 2 are needed")
+        raise ValueError(f"episodes = {args.episodes}: must be at least 2")
     if not 0 <= args.oracle <= args.episodes:
-        raise ValueError(f"oracle = {args.oracle}: 0 to episodes = {args.episodes} is needed")
+        raise ValueError(f"oracle = {args.oracle}: must be 0 to episodes = {args.episodes}")
     if against(args) not in policies(args):
-        raise ValueError(f"against = {args.against!r}: one of policies = {policies(args)} is needed")
+        raise ValueError(f"against = {args.against!r}: must be one of policies = {policies(args)}")
     envs = Heli3DOFVectorEnv(args.episodes, args.plant, args.reference, start_spread_deg=START_SPREAD_DEG)
     names = {name: [name] for name in policies(args)}
     for method in args.methods:

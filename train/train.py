@@ -84,13 +84,13 @@ def check(args: Args) -> None:
     """Raises ValueError for settings that make no sense."""
     for name in ("steps", "envs", "chunk", "rollout", "batch", "epochs", "buffer", "validation"):
         if getattr(args, name) < 1:
-            raise ValueError(f"{name} = {getattr(args, name)}: at least 1 is needed")
+            raise ValueError(f"{name} = {getattr(args, name)}: must be at least 1")
     if base_of(args).partition("@")[0] not in POLICIES:
-        raise ValueError(f"base = {args.base!r}: one of {', '.join(map(repr, POLICIES))} is needed")
+        raise ValueError(f"base = {args.base!r}: must be one of {', '.join(map(repr, POLICIES))}")
     if not 0 <= args.seed < 10_000:
-        raise ValueError(f"seed = {args.seed}: 0 to 9999 is needed")
+        raise ValueError(f"seed = {args.seed}: must be 0 to 9999")
     if args.chunk % args.rollout:
-        raise ValueError(f"chunk = {args.chunk}: a multiple of rollout = {args.rollout} is needed")
+        raise ValueError(f"chunk = {args.chunk}: must be a multiple of rollout = {args.rollout}")
     # The seeds of `learn`: no chunk flies the draws of another seed's run, nor those of the validation.
     chunks = chunks_of(args)
     if chunks > 1000:
@@ -101,7 +101,7 @@ def check(args: Args) -> None:
     if (1000 * args.seed + chunks) * args.envs > VALIDATION_SEED:
         raise ValueError(
             f"seed = {args.seed}: with envs = {args.envs} and {chunks} chunks, the validation's draws would be trained "
-            f"on; (1000 seed + chunks) envs <= {VALIDATION_SEED} is needed"
+            f"on; (1000 seed + chunks) envs must be at most {VALIDATION_SEED}"
         )
     check_folder("out", args.out)
 
@@ -184,7 +184,7 @@ def make_agent(args: Args, helicopters: ResidualVecEnv) -> BaseAlgorithm:
             # White noise at 50 Hz hardly moves a helicopter: explore with one direction for a while.
             use_sde=True,
             sde_sample_freq=args.hold,
-            policy_kwargs={**networks, "log_std_init": args.log_std, "seen": helicopters.n_actor_features},
+            policy_kwargs={**networks, "log_std_init": args.log_std, "n_actor_features": helicopters.n_actor_features},
             **common,
         )
     # one gradient step per control period of all helicopters, with a batch that is large enough for them

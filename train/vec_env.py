@@ -40,7 +40,7 @@ class HeliVecEnv(VecEnv):
 
     def __init__(self, envs: Heli3DOFVectorEnv, spread: bool = True) -> None:
         if envs.autoreset_mode is not AutoresetMode.SAME_STEP:
-            raise ValueError(f"envs: the autoreset mode 'SameStep' is needed, and it is {envs.autoreset_mode.value!r}")
+            raise ValueError(f"envs: must have the autoreset mode 'SameStep', not {envs.autoreset_mode.value!r}")
         self.envs, self.spread = envs, spread
         self.render_mode = envs.render_mode
         self.returns, self.lengths = np.zeros(envs.num_envs), np.zeros(envs.num_envs, int)

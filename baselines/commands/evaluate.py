@@ -96,11 +96,11 @@ def evaluate(args: Args, console: Console) -> list[Flight]:
     if args.report is not None:
         check_page("report", args.report)
     if not args.policies or len(set(args.policies)) < len(args.policies):
-        raise ValueError(f"policies = {args.policies}: at least one is needed, and none twice")
+        raise ValueError(f"policies = {args.policies}: must name at least one, and none twice")
     if args.episodes < 1:
-        raise ValueError(f"episodes = {args.episodes}: at least 1 is needed")
+        raise ValueError(f"episodes = {args.episodes}: must be at least 1")
     if args.seed < 0:
-        raise ValueError(f"seed = {args.seed}: at least 0 is needed")
+        raise ValueError(f"seed = {args.seed}: must be at least 0")
     exact = Heli3DOFEnv(args.plant, args.reference, PAPER_PERIOD)
     reference = exact.reference
     perturbed = Heli3DOFVectorEnv(

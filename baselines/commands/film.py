@@ -98,7 +98,7 @@ def delay(frame_time: float) -> int:
     """The milliseconds that a GIF shows a picture for. Raises ValueError for a time in s that no GIF has."""
     hundredths = round(100.0 * frame_time) if math.isfinite(frame_time) else 0
     if hundredths < 2 or abs(100.0 * frame_time - hundredths) > 1e-6:
-        raise ValueError(f"frame_time = {frame_time!r}: a multiple of 0.01 s from 0.02 s on is needed")
+        raise ValueError(f"frame_time = {frame_time!r}: must be a multiple of 0.01 s from 0.02 s on")
     return 10 * hundredths
 
 
@@ -107,11 +107,11 @@ def main(args: Args | None = None) -> None:
     args = args or tyro.cli(Args, prog="heli-film")
     try:
         if not args.policies or len(set(args.policies)) < len(args.policies):
-            raise ValueError(f"policies = {args.policies}: at least one is needed, and none twice")
+            raise ValueError(f"policies = {args.policies}: must name at least one, and none twice")
         if args.seed < 0:
-            raise ValueError(f"seed = {args.seed}: at least 0 is needed")
+            raise ValueError(f"seed = {args.seed}: must be at least 0")
         if args.out.suffix != ".gif":
-            raise ValueError(f"out = {str(args.out)!r}: a name that ends in .gif is needed")
+            raise ValueError(f"out = {str(args.out)!r}: must end in .gif")
         delay(args.frame_time)
         env = Heli3DOFEnv(args.plant, args.reference)
         policies = {

@@ -45,9 +45,9 @@ def requested_maneuver(args: Args) -> Maneuver:
     """The maneuver that the arguments ask for. Raises ValueError for those that make none, by their own names."""
     for name in ("travel_deg", "elevation_deg", "start_travel_deg", "start_elevation_deg"):
         if not isfinite(getattr(args, name)):
-            raise ValueError(f"{name} = {getattr(args, name)!r}: a finite number of degrees is needed")
+            raise ValueError(f"{name} = {getattr(args, name)!r}: must be a finite number of degrees")
     if not 0.0 < args.pitch_limit_deg < 90.0:
-        raise ValueError(f"pitch_limit_deg = {args.pitch_limit_deg!r}: more than 0 and less than 90 degrees are needed")
+        raise ValueError(f"pitch_limit_deg = {args.pitch_limit_deg!r}: must be more than 0 and less than 90 degrees")
     pitch = radians(args.pitch_limit_deg)
     limits = Limits(args.u_min, args.u_max, -pitch, pitch)
     for name in ("start_elevation_deg", "elevation_deg"):
@@ -83,7 +83,7 @@ def main(args: Args | None = None) -> None:
     began = time.perf_counter()
     try:
         if args.out.suffix != ".npz" or args.out.is_dir():
-            raise ValueError(f"out = {str(args.out)!r}: the name of a file that ends in .npz is needed")
+            raise ValueError(f"out = {str(args.out)!r}: must end in .npz")
         check_folder("out", args.out.parent)
         maneuver = requested_maneuver(args)
         trajectory = plan_requested(maneuver, args)

@@ -99,7 +99,7 @@ def main(args: Args | None = None) -> None:
     args = args or tyro.cli(Args, prog="heli-tune", description=__doc__)
     console = Console()
     if args.store and len(args.plants) != 1:
-        raise ValueError(f"plants = {args.plants}: one is needed with store")
+        raise ValueError(f"plants = {args.plants}: must be a single one with store")
     reference = find_reference(args.reference)
     envs = [Heli3DOFVectorEnv(args.draws, plant, reference, start_spread_deg=START_SPREAD_DEG) for plant in args.plants]
     in_use = WEIGHTS[args.policy]

@@ -399,12 +399,12 @@ def make_policy(
         kind, _, plant = str(name).partition("@")
         if kind not in POLICIES or (plant and kind not in WEIGHTS):
             known = ", ".join(map(repr, POLICIES))
-            raise ValueError(f"name = {name!r}: one of {known}, or the path of a learned policy, .json, is needed")
+            raise ValueError(f"name = {name!r}: must be one of {known}, or the path of a learned policy, .json")
         if weights is None and plant:
             weights = weights_of(name)
         if weights is not None and type(weights) is not type(WEIGHTS.get(kind)):
             needed = type(WEIGHTS[kind]).__name__ if kind in WEIGHTS else "nothing, for it has no weights,"
-            raise ValueError(f"weights = {weights!r}: {needed} is needed for {name!r}")
+            raise ValueError(f"weights = {weights!r}: must be {needed} for {name!r}")
         policy = POLICIES[kind](reference, control_period, parameters, *([] if weights is None else [weights]))
     parts: tuple[Any, ...] = policy, getattr(policy, "base", None)
     for part in parts:

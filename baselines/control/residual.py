@@ -70,10 +70,10 @@ class ResidualPolicy:
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.scale) and self.scale >= 0.0):
-            raise ValueError(f"scale = {self.scale!r}: a finite number of volts, at least 0, is needed")
+            raise ValueError(f"scale = {self.scale!r}: must be a finite number of volts, at least 0")
         if not self.feature_groups or not set(self.feature_groups) <= set(FEATURE_GROUPS):
             raise ValueError(
-                f"feature_groups = {self.feature_groups!r}: some of {', '.join(map(repr, FEATURE_GROUPS))} are needed"
+                f"feature_groups = {self.feature_groups!r}: must name some of {', '.join(map(repr, FEATURE_GROUPS))}"
             )
         self.x, self.u = control_grid(self.reference, self.control_period)
         ahead = [control_grid(self.reference, self.control_period, seconds)[0] for seconds in AHEAD]

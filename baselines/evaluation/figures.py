@@ -242,7 +242,7 @@ def overview(reference: Trajectory, flights: Mapping[str, Trajectory], title: st
 def save(figure: Figure, path: str | os.PathLike) -> None:
     """Write a figure to a .png file, atomically."""
     if Path(path).suffix != ".png":
-        raise ValueError(f"path = {str(path)!r}: a name that ends in .png is needed")
+        raise ValueError(f"path = {str(path)!r}: must end in .png")
     with atomic_write(path) as file:
         figure.savefig(file, format="png", dpi=DPI)
 

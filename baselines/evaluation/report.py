@@ -29,7 +29,7 @@ DECIMALS = 7  # of rad, rad/s, V and gains
 def check_page(name: str, path: str | os.PathLike) -> None:
     """Raises ValueError unless a page can be written to the path."""
     if Path(path).suffix != ".html" or Path(path).is_dir():
-        raise ValueError(f"{name} = {str(path)!r}: the name of a file that ends in .html is needed")
+        raise ValueError(f"{name} = {str(path)!r}: must end in .html")
     check_folder(name, Path(path).parent)
 
 

@@ -33,11 +33,9 @@ def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str
     """
     core = env.unwrapped
     if not isinstance(core, Heli3DOFEnv):
-        raise ValueError(f"env = {env!r}: a Heli3DOF environment is needed")
+        raise ValueError(f"env = {env!r}: must be a Heli3DOF environment")
     if core.random_start:
-        raise ValueError(
-            f"env = {env!r}: a helicopter which starts at its reference's start, without random_start, is needed"
-        )
+        raise ValueError(f"env = {env!r}: must start at its reference's start, without random_start")
     _, info = env.reset(seed=seed, options=options)
     check_policy(policy, core, core.reference)
     policy.reset(np.random.default_rng(seed))
@@ -69,7 +67,7 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
     reference = envs.references[0]
     same = all(other is reference for other in envs.references)
     if not (isinstance(reference, Trajectory) and same) or envs.random_start:
-        raise ValueError("envs: helicopters with the same reference, which start at its start, are needed")
+        raise ValueError("envs: must have one and the same reference, and start at its start")
     check_policy(policy, envs, reference)
     _, info = envs.reset(seed=seed)
     policy.reset(np.random.default_rng(seed))

@@ -64,12 +64,12 @@ def check_weight(name: str, weight: ArrayLike, size: int, definite: bool = False
     weight = np.asarray(weight, dtype=float)
     finite = weight.shape == (size, size) and np.isfinite(weight).all()
     if not finite or (np.abs(weight - weight.T) > SYMMETRY * np.abs(weight)).any():
-        raise ValueError(f"{name} = {weight}: a symmetric ({size}, {size}) matrix is needed")
+        raise ValueError(f"{name} = {weight}: must be a symmetric ({size}, {size}) matrix")
     least = np.linalg.eigvalsh(weight)[0]
     rounding = 1e-12 * np.abs(weight).max()
     if least < -rounding or (definite and least <= rounding):
         kind = "positive definite" if definite else "positive semidefinite"
-        raise ValueError(f"{name} = {weight}: a {kind} matrix is needed, and one eigenvalue is {least:g}")
+        raise ValueError(f"{name} = {weight}: must be a {kind} matrix, and one eigenvalue is {least:g}")
     return weight
 
 

@@ -68,7 +68,7 @@ def collocate(
         ImportError: if CasADi is missing.
     """
     if objective not in OBJECTIVES:
-        raise ValueError(f"objective = {objective!r}: one of {', '.join(OBJECTIVES)} is needed")
+        raise ValueError(f"objective = {objective!r}: must be one of {', '.join(OBJECTIVES)}")
     ca = import_casadi()
     limits, p, n = maneuver.limits, maneuver.parameters, intervals
     ends = np.array([[travel, 0.0, elevation, 0.0, 0.0, 0.0] for travel, elevation in (maneuver.start, maneuver.goal)])

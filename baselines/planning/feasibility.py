@@ -50,7 +50,7 @@ class TimeLimit:
 def start_clock(maneuver: Maneuver, time_limit: float | None) -> TimeLimit:
     """A time limit from now on. Raises ValueError unless it is positive, or None for none."""
     if time_limit is not None and not time_limit > 0.0:
-        raise ValueError(f"time_limit = {time_limit!r}: a positive number of seconds, or None, is needed")
+        raise ValueError(f"time_limit = {time_limit!r}: must be a positive number of seconds, or None")
     seconds = math.inf if time_limit is None else time_limit
     return TimeLimit(maneuver, seconds, time.perf_counter() + seconds)
 

@@ -77,16 +77,14 @@ def plan(
             duration that it can plan; or if the time is over.
     """
     if method not in METHODS:
-        raise ValueError(f"method = {method!r}: one of {', '.join(METHODS)} is needed")
+        raise ValueError(f"method = {method!r}: must be one of {', '.join(METHODS)}")
     clock = start_clock(maneuver, time_limit)
     if near is None:
         return METHODS[method](maneuver, clock)
     if not isinstance(near, Trajectory):
-        raise ValueError(f"near = {near!r}: a Trajectory is needed")
+        raise ValueError(f"near = {near!r}: must be a Trajectory")
     if method not in NEARBY:
-        raise ValueError(
-            f"method = {method!r} does not start from a plan near by: one of {', '.join(NEARBY)} is needed"
-        )
+        raise ValueError(f"method = {method!r} does not start from another plan: must be one of {', '.join(NEARBY)}")
     return NEARBY[method](maneuver, near, clock) or METHODS[method](maneuver, clock)
 
 
@@ -111,11 +109,11 @@ def plan_fastest(
         InfeasibleManeuver: if the shortest duration found is longer than the maneuver's; or if the time is over.
     """
     if method not in FASTEST:
-        raise ValueError(f"method = {method!r}: one of {', '.join(FASTEST)} is needed")
+        raise ValueError(f"method = {method!r}: must be one of {', '.join(FASTEST)}")
     if not 0.0 <= reserve < 1.0:
-        raise ValueError(f"reserve = {reserve!r}: at least 0 and less than 1 is needed")
+        raise ValueError(f"reserve = {reserve!r}: must be at least 0 and less than 1")
     if maneuver.start == maneuver.goal:
-        raise ValueError(f"goal = {maneuver.goal}: another point than the start is needed")
+        raise ValueError(f"goal = {maneuver.goal}: must differ from the start")
     requested = replace(maneuver, limits=with_pitch_reserve(maneuver.limits, reserve))
     return replace(FASTEST[method](requested, start_clock(maneuver, time_limit)), limits=maneuver.limits)
 

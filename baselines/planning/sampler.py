@@ -41,7 +41,7 @@ class ManeuverSampler:
         for name in ("travel", "elevation"):
             low, high = getattr(self, name)
             if not (math.isfinite(low) and math.isfinite(high) and low <= high):
-                raise ValueError(f"{name} = {getattr(self, name)!r}: finite (low, high) in rad are needed")
+                raise ValueError(f"{name} = {getattr(self, name)!r}: must be finite (low, high) in rad")
         for corner in self.elevation:
             self.maneuver(self.travel[1], corner, corner)  # which refuses what cannot hover
 

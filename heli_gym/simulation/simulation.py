@@ -232,7 +232,7 @@ class Simulation:
     def _checked(self, source: Sampler, reference: Any) -> Trajectory:
         """What a sampler has drawn, if the table has room for it and the observation's bounds hold."""
         if not isinstance(reference, Trajectory):
-            raise ValueError(f"reference: {source!r} drew {reference!r}, and a Trajectory is needed")
+            raise ValueError(f"reference: {source!r} drew {reference!r}; must be a Trajectory")
         if reference.duration > source.duration:
             raise ValueError(
                 f"reference: {source!r} drew one of {reference.duration:g} s, "

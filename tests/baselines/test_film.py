@@ -105,7 +105,7 @@ def test_the_command_flies_the_policies_and_writes_the_same_film_again(monkeypat
 )
 def test_bad_input_is_refused_before_anything_is_written(tmp_path, arguments, said):
     name = arguments.pop("name", "film.gif")
-    with pytest.raises(SystemExit, match="heli_gym.baselines.commands.film: .*" + said):
+    with pytest.raises(SystemExit, match="heli-film: .*" + said):
         film.main(Args(**{"policies": ("open-loop",), "width": 160, **arguments, "out": tmp_path / name}))
     assert os.listdir(tmp_path) == []
 

@@ -38,7 +38,7 @@ def test_the_file_is_the_plan_of_the_maneuver_and_its_picture_is_beside_it(tmp_p
 
 
 def test_the_defaults_are_the_papers_maneuver(tmp_path, paper_plan):
-    assert plan_maneuver.requested(Args()) == Maneuver()
+    assert plan_maneuver.requested_maneuver(Args()) == Maneuver()
     plan_maneuver.main(Args(out=tmp_path / "plan.npz", figure=False))
     saved = Trajectory.load(tmp_path / "plan.npz")
     for name in ("t", "x", "u"):

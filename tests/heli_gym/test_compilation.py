@@ -50,7 +50,8 @@ def test_another_equation_is_another_version_even_where_only_a_call_or_a_number_
 
 def test_the_next_process_loads_what_this_one_compiled():
     code = (
-        "from baselines import replay; import numpy as np; from heli_gym import HelicopterParameters as P;"
+        "from heli_gym.baselines.planning import replay; import numpy as np;"
+        "from heli_gym import HelicopterParameters as P;"
         "k = replay.replay_kernel(); k(np.zeros(6), np.full((2, 3), 0.6), 1.0, P());"
         "print(sum(k.stats.cache_hits.values()), sum(k.stats.cache_misses.values()))"
     )

@@ -585,7 +585,7 @@ class Drawn:
 @pytest.mark.parametrize(
     ("sampler", "said"),
     [
-        (Drawn("travel-360"), "drew 'travel-360', and a Trajectory is needed"),
+        (Drawn("travel-360"), "drew 'travel-360'; must be a Trajectory"),
         (Drawn(REFERENCE), "drew one of 10 s, and its `duration` is 1 s"),
         (Drawn(replace(REFERENCE, x=3.0 * REFERENCE.x), 10.0), "reaches"),
         (Drawn(replace(REFERENCE, u=2.0 * REFERENCE.u), 10.0), "reaches"),

@@ -211,7 +211,7 @@ def test_closing_the_window_ends_it_and_each_episode_is_summed_up(monkeypatch, c
 
 @pytest.mark.parametrize("arguments", [["--plant", "moon"], ["--reference", "nowhere"]])
 def test_bad_arguments_are_refused_with_a_message_that_names_them(arguments):
-    with pytest.raises(SystemExit, match=f"heli_gym.play: {arguments[0][2:]} = '{arguments[1]}'"):
+    with pytest.raises(SystemExit, match=f"heli-play: {arguments[0][2:]} = '{arguments[1]}'"):
         main(arguments)
 
 

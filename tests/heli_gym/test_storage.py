@@ -4,6 +4,7 @@ import multiprocessing
 import os
 
 import pytest
+import writers
 
 from heli_gym.storage import atomic_write
 
@@ -48,18 +49,12 @@ def test_a_name_that_is_a_folder_is_refused_without_litter(tmp_path):
     assert os.listdir(tmp_path / "folder") == []
 
 
-def write_often(path, byte):
-    for _ in range(50):
-        with atomic_write(path) as file:
-            file.write(byte * 100_000)
-
-
 def test_of_two_processes_that_write_at_once_one_wins_whole(tmp_path):
     context = multiprocessing.get_context("spawn")
-    writers = [context.Process(target=write_often, args=(tmp_path / "file", byte)) for byte in (b"a", b"b")]
-    for writer in writers:
+    processes = [context.Process(target=writers.write_often, args=(tmp_path / "file", byte)) for byte in (b"a", b"b")]
+    for writer in processes:
         writer.start()
-    for writer in writers:
+    for writer in processes:
         writer.join()
         assert writer.exitcode == 0
     content = (tmp_path / "file").read_bytes()

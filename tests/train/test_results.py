@@ -91,7 +91,7 @@ def test_a_method_is_flown_once_for_each_of_its_seeds(tmp_path):
     assert found.shape == (len(results.METRICS), 2, 3)
     envs = Heli3DOFVectorEnv(3, "lab", start_spread_deg=results.START_SPREAD_DEG)
     assert_array_equal(
-        found[:, 1], results.measured(envs, make_policy(f"{seeds[1]}.json", envs.reference_of(0)), args.seed)
+        found[:, 1], results.policy_metrics(envs, make_policy(f"{seeds[1]}.json", envs.reference_of(0)), args.seed)
     )
 
 
