@@ -39,7 +39,7 @@ def test_what_is_impossible_is_not_found():
 
 
 def test_an_unknown_objective_is_named():
-    with pytest.raises(ValueError, match="objective = 'fuel': one of time, effort"):
+    with pytest.raises(ValueError, match="objective = 'fuel': must be one of time, effort"):
         collocate(Maneuver(), "fuel")
 
 

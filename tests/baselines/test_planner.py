@@ -401,5 +401,5 @@ def test_arguments_that_the_fastest_plan_cannot_have_are_named(arguments, said):
 
 
 def test_there_is_no_fastest_way_to_stay():
-    with pytest.raises(ValueError, match=r"goal = \(1\.0, 0\.0\): another point"):
+    with pytest.raises(ValueError, match=r"goal = \(1\.0, 0\.0\): must differ"):
         plan_fastest(Maneuver((1.0, 0.0), (1.0, 0.0)))

@@ -15,7 +15,7 @@ from heli_gym.baselines.paper.normal_form import thrust_bounds
 from heli_gym.baselines.planning import spline
 from heli_gym.baselines.planning.spline_kernel import derivatives, interpolate, inverse_dynamics
 
-MODEL = tuple(HelicopterParameters())[2:]
+MODEL = tuple(HelicopterParameters())[2:8]
 RNG = np.random.default_rng(3)
 
 

@@ -181,12 +181,12 @@ def coefficients(accelerations, p):
 
 @both_rigs
 def test_each_axis_alone_has_the_coefficients_of_table_i_at_hover(p):
-    assert_allclose(coefficients(axes_alone, p), TABLE_I[2:], rtol=1e-13)
+    assert_allclose(coefficients(axes_alone, p), TABLE_I[2:8], rtol=1e-13)
 
 
 @both_rigs
 def test_inertial_coupling_at_hover_is_at_most_2_6_percent_of_table_i(p):
-    change = coefficients(released, p) / TABLE_I[2:] - 1.0
+    change = coefficients(released, p) / TABLE_I[2:8] - 1.0
     assert_allclose(change, [0.0, 0.0, -0.0258, -0.0018, 0.0, 0.0002], atol=5e-5)
 
 

@@ -141,8 +141,8 @@ def test_what_is_not_known_is_refused_by_name(make, message):
 @pytest.mark.parametrize(
     ("actions", "message"),
     [
-        (np.zeros(2), "actions of shape"),
-        (np.zeros((3, 2)), "actions of shape"),
+        (np.zeros(2), "actions have shape"),
+        (np.zeros((3, 2)), "actions have shape"),
         (np.array([[0.0, 0.0], [np.nan, 0.0]]), r"actions\[1\]"),
         (np.array([[0.0, np.inf], [0.0, 0.0]], np.float32), r"actions\[0\]"),
     ],
