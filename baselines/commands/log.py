@@ -1,0 +1,78 @@
+"""`heli-log`: draw a measured flight, by itself or with a plan."""
+
+import math
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import tyro
+
+from heli_gym.baselines.evaluation import log_figures
+from heli_gym.baselines.evaluation.figures import DPI
+from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog
+from heli_gym.storage import atomic_write, check_folder
+from heli_gym.trajectory import Trajectory
+
+
+@dataclass
+class Args:
+    """Draw a measured flight: angles with references, rates, voltages, airborne and saturated parts."""
+
+    log: Annotated[Path, tyro.conf.Positional]  # .csv or .mat
+    plan: Path | None = None  # .npz of the plan that was flown
+    mapping: Path | None = None  # .toml or .json with the tables columns, signs, units, zeros
+    sample_time: float | None = None  # s; by default 0.01, or the log's own if that is longer
+    u_min: float = -24.0  # V, the amplifier's limit
+    u_max: float = 24.0  # V
+    out: Path | None = None  # .png or .pdf; by default the log's name in out/
+
+
+def describe(log: FlightLog) -> str:
+    """Length, ranges and airborne share of a log, in words."""
+    ranges = ", ".join(
+        f"{name} {low:.1f}° to {high:.1f}°"
+        for name, low, high in zip(ANGLES, np.degrees(log.angles.min(axis=1)), np.degrees(log.angles.max(axis=1)))
+    )
+    return (
+        f"{log.name}: {log.duration:.2f} s at {1e3 * log.sample_time:g} ms, {100.0 * log.airborne().mean():.1f} % "
+        f"airborne\n{ranges}, voltages {log.voltages.min():.2f} V to {log.voltages.max():.2f} V"
+    )
+
+
+def run(args: Args) -> None:
+    """Load, draw and save."""
+    out = args.out or Path("out") / f"{args.log.stem}.png"
+    if out.suffix not in (".png", ".pdf"):
+        raise ValueError(f"out = {str(out)!r}: must end in .png or .pdf")
+    if not (math.isfinite(args.u_min) and math.isfinite(args.u_max) and args.u_min < args.u_max):
+        raise ValueError(f"u_min = {args.u_min:g}, u_max = {args.u_max:g}: must be finite, the first the smaller")
+    check_folder("out", out.parent)
+    log = FlightLog.load(args.log, mapping=args.mapping, sample_time=args.sample_time)
+    plan = None if args.plan is None else Trajectory.load(args.plan)
+    figure = log_figures.flight_log(log, plan, (args.u_min, args.u_max))
+    with atomic_write(out) as file:
+        figure.savefig(file, format=out.suffix[1:], dpi=DPI)
+    print(describe(log))
+    print(f"picture: {out}")
+
+
+def main(args: Args | None = None) -> None:
+    """The command `heli-log`."""
+    args = args or tyro.cli(Args, prog="heli-log")
+    try:
+        run(args)
+    except (ValueError, ImportError) as error:
+        print(f"heli-log: {error}", file=sys.stderr)
+        sys.exit(2)
+    except OSError as error:
+        print(f"heli-log: {error}", file=sys.stderr)
+        sys.exit(1)
+    except KeyboardInterrupt:
+        print("heli-log: interrupted", file=sys.stderr)
+        sys.exit(130)
+
+
+if __name__ == "__main__":
+    main()

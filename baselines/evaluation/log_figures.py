@@ -1,0 +1,64 @@
+"""Figures of measured flights."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from heli_gym.baselines.evaluation.figures import BLUE, INK, LIMIT, NOTE, RED, columns_of_panels, finish, note, styled
+from heli_gym.baselines.identification.flight_log import ANGLES, VOLTAGES, FlightLog
+from heli_gym.trajectory import Trajectory
+
+ON_TABLE = {"color": "0.5", "alpha": 0.25, "linewidth": 0.0}
+SATURATED = {"color": RED, "alpha": 0.15, "linewidth": 0.0}
+
+
+@styled
+def flight_log(log: FlightLog, plan: Trajectory | None = None, limits: tuple[float, float] = (-24.0, 24.0)) -> Figure:
+    """Angles with their references or a plan, smoothed rates, and voltages of a log; on the table grey."""
+    figure = Figure(figsize=(11.0, 8.4))
+    panels = columns_of_panels(figure, 4, 2)
+    rates = np.degrees(log.rates())
+    end = log.duration if plan is None else max(log.duration, plan.duration)
+    for i, name in enumerate(ANGLES):
+        left, right = panels[i]
+        left.plot(log.t, np.degrees(log.angles[i]), color=BLUE, label="measured")
+        if f"{name}_ref" in log.references:
+            left.plot(log.t, np.degrees(log.references[f"{name}_ref"]), color=INK, linestyle="--", linewidth=1.0,
+                      label="reference")  # fmt: skip
+        right.plot(log.t, rates[i], color=BLUE, label="measured, smoothed")
+        if plan is not None:
+            left.plot(plan.t, np.degrees(plan.x[2 * i]), color=NOTE, label="plan")
+            right.plot(plan.t, np.degrees(plan.x[2 * i + 1]), color=NOTE, label="plan")
+        left.set_ylabel(f"{name} $q_{i + 1}$ (deg)")
+        right.set_ylabel(f"{name} rate (deg/s)")
+    for i, name in enumerate(VOLTAGES):
+        axes = panels[3, i]
+        axes.plot(log.t, log.voltages[i], color=BLUE, drawstyle="steps-post", linewidth=0.9, label="commanded")
+        if plan is not None:
+            axes.plot(plan.t, plan.u[i], color=NOTE, label="plan")
+        low, high = axes.get_ylim()
+        for limit in limits:
+            if low <= limit <= high:
+                axes.axhline(limit, **LIMIT)
+        axes.set_ylabel(f"{name[2:]} motor (V)")
+    on_table, saturated = ~log.airborne(), log.saturated(limits)
+    for axes in panels.ravel():
+        for first, last in runs(on_table):
+            axes.axvspan(log.t[first], log.t[last], **ON_TABLE)
+        axes.set_xlim(0.0, end)
+    for axes in panels[3]:
+        for first, last in runs(saturated):
+            axes.axvspan(log.t[first], log.t[last], **SATURATED)
+        note(axes, f"{100.0 * saturated.mean():.1f} % at the amplifier's limits, {limits[0]:g} and {limits[1]:g} V")
+    note(panels[1, 0], f"{100.0 * (~on_table).mean():.1f} % airborne; grey: on the table or just off it")
+    figure.suptitle(f"{log.name}: {log.duration:.2f} s, {1e3 * log.sample_time:g} ms", parse_math=False)
+    finish(figure)
+    return figure
+
+
+def runs(mask: np.ndarray) -> Iterator[tuple[int, int]]:
+    """First and last index of each run of true values."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], mask, [False])).astype(int)))
+    for first, after in zip(edges[::2], edges[1::2]):
+        yield int(first), min(int(after), len(mask) - 1)
