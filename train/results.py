@@ -17,12 +17,12 @@ import tyro
 from rich.console import Console
 from rich.progress import track
 from rich.table import Table
-from scipy.stats import trim_mean
 
 from heli_gym.baselines.control.policies import Policy, make_policy
 from heli_gym.baselines.control.weights import TUNED
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
+from heli_gym.baselines.evaluation.statistics import improvement, mean_with_interval, rank_crashes_last
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
@@ -31,7 +31,6 @@ from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 START_SPREAD_DEG = 5.0
-RESAMPLES, CONFIDENCE = 2000, 0.95
 METRICS = ("travel", "elevation", "pitch", "cost", "return", "crashed", "success")
 SHOWN = ("travel", "elevation", "cost")  # those that are compared
 
@@ -83,9 +82,8 @@ def policy_metrics(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> np.nda
 
 def metrics_of(flight: Trajectory, reference: Trajectory, env: Heli3DOFEnv | Heli3DOFVectorEnv) -> tuple[float, ...]:
     """METRICS of one flight."""
-    m = flight_metrics(flight, reference, env.voltage_limits)
-    crashed = np.abs(flight.x[4]).max() > env.pitch_limit
-    return *m.rms_error_deg, m.cost, m.episode_return, float(crashed), float(m.success)
+    m = flight_metrics(flight, reference, env.voltage_limits, env.pitch_limit)
+    return *m.rms_error_deg, m.cost, m.episode_return, float(m.crashed), float(m.success)
 
 
 def oracle_metrics(env: Heli3DOFEnv, oracle: Oracle, args: Args, console: Console) -> np.ndarray:
@@ -100,43 +98,6 @@ def oracle_metrics(env: Heli3DOFEnv, oracle: Oracle, args: Args, console: Consol
             continue
         found[:, k] = metrics_of(fly(env, policy, seed=args.seed + k), env.reference, env)
     return found
-
-
-def interquartile_mean(values: np.ndarray) -> float:
-    """The mean of the middle half of all values."""
-    return float(trim_mean(values, 0.25, axis=None))
-
-
-def resampled(shape: tuple[int, int], rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Indices that draw as many seeds and as many draws as there are, (seeds, draws), with replacement."""
-    seeds, draws = shape
-    return rng.integers(seeds, size=seeds)[:, None], rng.integers(draws, size=draws)[None]
-
-
-def interval(values: list[float]) -> tuple[float, float]:
-    """The middle 95 % of bootstrapped values."""
-    low, high = np.quantile(values, [0.5 - CONFIDENCE / 2, 0.5 + CONFIDENCE / 2])
-    return float(low), float(high)
-
-
-def mean_with_interval(values: np.ndarray) -> dict[str, object]:
-    """Interquartile mean of values (seeds, draws), and its interval."""
-    rng = np.random.default_rng(0)
-    bootstrapped = [interquartile_mean(values[resampled(values.shape, rng)]) for _ in range(RESAMPLES)]
-    return {"iqm": interquartile_mean(values), "interval": interval(bootstrapped)}
-
-
-def improvement(values: np.ndarray, others: np.ndarray) -> dict[str, object]:
-    """By which share values (seeds, draws) are smaller than others (1, draws) on the same draws, and how often."""
-    rng = np.random.default_rng(0)
-
-    def share(seeds: np.ndarray, draws: np.ndarray) -> float:
-        return 1.0 - interquartile_mean(values[seeds, draws]) / interquartile_mean(others[0, draws])
-
-    everyone = np.arange(values.shape[0])[:, None], np.arange(values.shape[1])[None]
-    bootstrapped = [share(*resampled(values.shape, rng)) for _ in range(RESAMPLES)]
-    smaller = np.mean(values < others) + 0.5 * np.mean(values == others)
-    return {"share": share(*everyone), "interval": interval(bootstrapped), "probability": float(smaller)}
 
 
 def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
@@ -184,6 +145,11 @@ def flown(values: np.ndarray) -> np.ndarray:
     return np.flatnonzero(np.isfinite(values).all(axis=(0, 1)))
 
 
+def ranked(values: np.ndarray, name: str) -> np.ndarray:
+    """One of the metrics (len(METRICS), seeds, draws), crashed flights behind all others: (seeds, draws)."""
+    return rank_crashes_last(values[METRICS.index(name)], values[METRICS.index("crashed")])
+
+
 def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[str, dict]]:
     """The table, and the same as plain values."""
     table = Table(title=f"{args.reference} on {args.episodes} held-out draws of {args.plant}: interquartile means")
@@ -198,10 +164,11 @@ def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[st
     for label, all_values in results.items():
         draws = flown(all_values)
         values = all_values[:, :, draws]
-        row: dict = {name: mean_with_interval(values[METRICS.index(name)]) for name in SHOWN}
+        others = results[against(args)][:, :, draws]
+        row: dict = {name: mean_with_interval(ranked(values, name)) for name in SHOWN}
         for name in SHOWN[:2]:
-            k = METRICS.index(name)
-            row[f"{name} improvement"] = improvement(values[k], results[against(args)][k][:, draws])
+            crashes = values[METRICS.index("crashed")], others[METRICS.index("crashed")]
+            row[f"{name} improvement"] = improvement(ranked(values, name), ranked(others, name), *crashes)
         row["crashes"], row["success"] = (float(values[METRICS.index(name)].mean()) for name in ("crashed", "success"))
         row["seeds"], row["draws"] = values.shape[1:]
         rows[label] = row

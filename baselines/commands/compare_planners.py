@@ -283,7 +283,8 @@ def flights(trajectory: Trajectory, plant: str, draws: int) -> dict[str, Any]:
     policy = make_policy("feedforward+tvlqr", trajectory)
     core: Any = env.unwrapped
     flown = [
-        flight_metrics(fly(env, policy, seed=HELD_OUT_SEED + k), trajectory, core.voltage_limits) for k in range(draws)
+        flight_metrics(fly(env, policy, seed=HELD_OUT_SEED + k), trajectory, core.voltage_limits, core.pitch_limit)
+        for k in range(draws)
     ]
     arrived = sum(metrics.success for metrics in flown)
     interval = binomtest(arrived, draws).proportion_ci(method="wilson")

@@ -14,13 +14,13 @@ import tyro
 from rich.console import Console
 from rich.progress import track
 from rich.table import Table
-from scipy.stats import bootstrap
 
 from heli_gym.baselines.control.policies import POLICIES, is_learned, make_policy
 from heli_gym.baselines.evaluation import figures
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
 from heli_gym.baselines.evaluation.report import check_page, write_report
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
+from heli_gym.baselines.evaluation.statistics import with_interval
 from heli_gym.baselines.paper.normal_form import thrust_bounds, v2_bounds
 from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.baselines.planning.planner import plan, plan_unconstrained
@@ -33,7 +33,6 @@ from heli_gym.vector_env import Heli3DOFVectorEnv
 
 PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
 FIGURE_START_DEG = (-5.0, 5.0)  # travel and elevation off the reference, where the flights of Figs. 10 and 11 start
-CONFIDENCE = 0.95
 NOT_COMPARED = ("residual", "residual-rigid", "middle-voltage", "zero")  # unless they are asked for
 COMPARED = tuple(name for name in POLICIES if name not in NOT_COMPARED)
 COLUMNS = (
@@ -53,7 +52,8 @@ COLUMNS = (
 )
 TOLERANCES = " / ".join(f"{degrees:.3g}" for degrees in np.degrees(TOLERANCE))
 CAPTION = (
-    "means; ± half the 95 % bootstrap interval; RMS errors over the time flown; at the end: the largest of the three; "
+    "means; ± half the 95 % bootstrap interval; RMS errors to the end of the maneuver, of a crashed flight at its last "
+    "error; at the end: the largest of the three; "
     "saturated: time with a voltage at a limit of the amplifier; cost: excess over the planned limits, in their widths "
     "times s; return: seconds flown on the reference; success: flown to the end of the maneuver, every error within "
     f"its tolerance there ({TOLERANCES} degrees and degrees/s, in the order of the state: "
@@ -123,7 +123,7 @@ def evaluate(args: Args, console: Console) -> list[Flight]:
         group = [fly(exact, policy, seed=args.seed)] if env is exact else fly_many(perturbed, policy, args.seed)
         wall_time = (time.perf_counter() - began) / len(group)
         for k, flight in enumerate(group):
-            metrics = flight_metrics(flight, reference, env.voltage_limits)
+            metrics = flight_metrics(flight, reference, env.voltage_limits, env.pitch_limit)
             flights.append(Flight(name, start, env.control_period, args.seed + k, wall_time, metrics, flight))
     return flights
 
@@ -147,17 +147,6 @@ def summarise(flights: Sequence[Flight]) -> list[dict[str, Any]]:
             row[name] = with_interval(np.array(values, dtype=float))
         rows.append(row)
     return rows
-
-
-def with_interval(values: np.ndarray) -> dict[str, Any]:
-    """Mean of values (episodes, ...), and the bounds of its interval where there is something to resample."""
-    mean = values.mean(axis=0)
-    if len(values) < 2 or np.all(values == values[0]):
-        return {"mean": mean.tolist(), "interval": None}
-    interval = bootstrap(
-        (values,), np.mean, axis=0, confidence_level=CONFIDENCE, method="percentile", rng=np.random.default_rng(0)
-    ).confidence_interval
-    return {"mean": mean.tolist(), "interval": [interval.low.tolist(), interval.high.tolist()]}
 
 
 def subject(args: Args) -> str:

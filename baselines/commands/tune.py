@@ -23,7 +23,7 @@ from scipy.stats.qmc import LatinHypercube, scale
 from heli_gym.baselines.control.discrete_lqr import Weights
 from heli_gym.baselines.control.policies import Policy, make_policy
 from heli_gym.baselines.control.weights import WEIGHTS, store_weights
-from heli_gym.baselines.evaluation.metrics import tracking_reward
+from heli_gym.baselines.evaluation.metrics import crash_cost, tracking_reward
 from heli_gym.env import find_reference
 from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv
@@ -77,19 +77,24 @@ def with_decades(weights: Weights, decades: np.ndarray) -> Weights:
 
 
 def returns(envs: Heli3DOFVectorEnv, policy: Policy, seed: int, objective: str = "environment") -> np.ndarray:
-    """The returns (N,) of one episode of each helicopter, seeded from `seed` on."""
+    """The returns (N,) of one episode of each helicopter, seeded from `seed` on; a crash never pays."""
     reference, period = envs.reference_of(0), envs.control_period
     x_ref, _ = control_grid(reference, period)
     _, info = envs.reset(seed=seed)
     policy.reset(np.random.default_rng(seed))
     total, flying = np.zeros(envs.num_envs), np.ones(envs.num_envs, bool)
-    for k in range(control_steps(reference.duration, period)):
+    steps = control_steps(reference.duration, period)
+    for k in range(steps):
         u = policy(k * period, info["measurement"].T)
         _, rewards, terminated, truncated, info = envs.step(to_action(u, envs.voltage_limits).T)
         if objective == "tracking":
             error = info["state"].T - x_ref[:, [k + 1]]
             rewards = period * tracking_reward(error[0:3:2], info["cost"] / period, rewards / period)
         total += np.where(flying, rewards, 0.0)
+        if objective == "tracking":
+            for i in np.flatnonzero(flying & terminated):
+                charge = crash_cost(info["state"][i, 4], envs.voltage_limits, reference.limits)
+                total[i] -= (steps - k - 1) * period * charge
         flying &= ~(terminated | truncated)  # a helicopter whose flight is over starts another, which does not count
     return total
 

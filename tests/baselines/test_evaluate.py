@@ -139,11 +139,6 @@ def test_the_same_seed_gives_the_same_results_and_no_figures_are_drawn_unasked(e
     assert without_wall_time(read(tmp_path)) == without_wall_time(read(evaluated[0]))
 
 
-def test_constant_values_have_a_mean_and_no_interval():
-    assert evaluate.with_interval(np.full(5, 2.0)) == {"mean": 2.0, "interval": None}
-    assert evaluate.with_interval(np.array([[1.0, 2.0]])) == {"mean": [1.0, 2.0], "interval": None}
-
-
 @pytest.mark.parametrize("name", ["climb-7.5", "own.npz"])
 def test_what_is_drawn_of_flights_is_the_maneuver_that_was_flown_and_of_plans_the_papers(
     tmp_path, monkeypatch, paper_plan, unconstrained_plan, name

@@ -62,6 +62,20 @@ def test_a_flight_that_ends_early_earns_no_more():
     assert tune.returns(envs, FullThrottleOfOne(), 0).max() < 1.0  # it turns over within a second
 
 
+def test_a_flight_that_ends_early_is_charged_to_the_end_so_that_a_crash_never_pays():
+    class FullThrottleOfOne:
+        def reset(self, rng):
+            pass
+
+        def __call__(self, t, measurement):
+            return np.array([[12.0], [0.0]]) + np.zeros(measurement.shape[1])
+
+    envs = Heli3DOFVectorEnv(2, "nominal", REFERENCE)
+    crashed = tune.returns(envs, FullThrottleOfOne(), 0, "tracking")
+    flown = tune.returns(envs, make_policy("hover-lqr", REFERENCE), 0, "tracking")
+    assert crashed.max() < -1.0 < flown.min()  # 5 s at more than 0.5 per second, but for the first second
+
+
 @pytest.mark.parametrize("name", WEIGHTS)
 def test_the_budget_is_the_same_for_all_and_what_is_in_use_is_beaten_only_by_what_is_better(name, monkeypatch, capsys):
     flown = []

@@ -7,58 +7,21 @@ import pytest
 
 pytest.importorskip("rich")
 
-from numpy.testing import assert_allclose, assert_array_equal
+from numpy.testing import assert_array_equal
 from rich.console import Console
-from scipy.stats import norm
 
 from heli_gym.baselines import fly, make_policy
 from heli_gym.baselines.control.residual import load_learned, save_learned
+from heli_gym.baselines.evaluation.statistics import improvement, interquartile_mean
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import Plant, Push
 from heli_gym.train import results
 from heli_gym.train.oracle import EFFORT, NoOptimum, Oracle
-from heli_gym.train.results import Args, compare, improvement, interquartile_mean, mean_with_interval, table_of
+from heli_gym.train.results import Args, compare, table_of
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 SMALL = Args(policies=("feedforward+tvlqr",), against="feedforward+tvlqr", reference="climb-7.5")
 RESULTS = Path(__file__).parents[2] / "results"
-
-
-def test_the_interquartile_mean_is_the_mean_of_the_middle_half():
-    assert interquartile_mean(np.array([[100.0, 1.0, 2.0, -50.0], [3.0, 4.0, 5.0, 99.0]])) == pytest.approx(3.5)
-
-
-def test_an_interval_covers_the_truth_about_as_often_as_it_says():
-    rng = np.random.default_rng(0)
-    covered = 0
-    for _ in range(60):
-        low, high = mean_with_interval(rng.standard_normal((1, 60)))["interval"]
-        covered += low <= 0.0 <= high
-    assert covered / 60 >= 0.85
-
-
-def test_the_interval_of_a_mean_over_seeds_is_wider_where_the_seeds_differ():
-    rng = np.random.default_rng(1)
-    alike = rng.standard_normal((10, 50))
-    different = alike + 3.0 * rng.standard_normal((10, 1))
-    (a, b), (c, d) = (mean_with_interval(values)["interval"] for values in (alike, different))
-    assert d - c > 2.0 * (b - a)
-
-
-def test_improvements_are_paired_by_draw():
-    rng = np.random.default_rng(2)
-    base = rng.uniform(1.0, 10.0, (1, 80))
-    found = improvement(np.repeat(0.6 * base, 5, axis=0), base)
-    assert found["share"] == pytest.approx(0.4)
-    assert_allclose(found["interval"], [0.4, 0.4], atol=0.02)  # draws differ widely, but in both alike
-    assert found["probability"] == 1.0
-    assert improvement(base, base)["probability"] == 0.5
-
-
-def test_the_probability_of_improvement_is_that_of_a_smaller_value():
-    rng = np.random.default_rng(3)
-    found = improvement(rng.normal(5.0, 1.0, (40, 500)), rng.normal(6.0, 1.0, (1, 500)))
-    assert found["probability"] == pytest.approx(norm.cdf(1.0 / np.sqrt(2.0)), abs=0.03)
 
 
 def test_every_policy_flies_the_same_draws_and_the_table_says_what_they_did(tmp_path):
