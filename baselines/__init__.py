@@ -1,6 +1,7 @@
 """Planners and controllers that know the model, and their evaluation; imports `heli_gym`, never `heli_gym.train`."""
 
-from heli_gym.baselines.control.policies import POLICIES, Policy, make_policy
+from heli_gym.baselines.control.policies import POLICIES, make_policy
+from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.evaluation.rollout import fly
 from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.baselines.planning.feasibility import InfeasibleManeuver

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from heli_gym.baselines.control.policies import step_index
+from heli_gym.baselines.control.protocol import step_index
 from heli_gym.baselines.planning.collocation import import_casadi
 from heli_gym.model import dynamics, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters

@@ -18,7 +18,8 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
-from heli_gym.baselines.control.policies import Policy, make_policy
+from heli_gym.baselines.control.policies import make_policy
+from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.weights import TUNED
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly, fly_many

@@ -8,7 +8,7 @@ from gymnasium.spaces import Box
 from gymnasium.vector import AutoresetMode
 from stable_baselines3.common.vec_env.base_vec_env import VecEnv
 
-from heli_gym.baselines.control.policies import ModelPolicy, step_index
+from heli_gym.baselines.control.protocol import step_index
 from heli_gym.baselines.control.residual import FEATURE_CLIP, ResidualPolicy
 from heli_gym.baselines.evaluation.metrics import tracking_reward
 from heli_gym.rigid_body import RigidBodyParameters
@@ -197,24 +197,13 @@ class ResidualVecEnv(HeliVecEnv):
         last = self.shown(features, np.where(done, final["state"].T, state), t_end)[ended]
 
         # The flights that start now: as if the policies had just been reset, in their columns.
-        kept = self.memories()
+        memory = self.policy.memory
         self.policy.reset(np.random.default_rng(0))
         u_base[:, ended], features[:, ended] = self.policy.observe(self.t[ended], self.measurement[:, ended])
-        self.remember([assign_columns(old, new, ended) for old, new in zip(kept, self.memories())])
+        self.policy.memory = assign_columns(memory, self.policy.memory, ended)
         self.u_base = u_base
         self.draws = self.drawn()
         return self.shown(features, state, self.t), last
-
-    def memories(self) -> list[Any]:
-        """What the policy and its base remember."""
-        base = self.policy.base
-        return [self.policy.memory, base.memory if isinstance(base, ModelPolicy) else None]
-
-    def remember(self, memories: list[Any]) -> None:
-        """The inverse of `memories`."""
-        self.policy.memory = memories[0]
-        if isinstance(self.policy.base, ModelPolicy):
-            self.policy.base.memory = memories[1]
 
 
 def assign_columns(old: Any, new: Any, columns: np.ndarray) -> Any:

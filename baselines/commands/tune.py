@@ -21,7 +21,8 @@ from scipy.optimize import differential_evolution
 from scipy.stats.qmc import LatinHypercube, scale
 
 from heli_gym.baselines.control.discrete_lqr import Weights
-from heli_gym.baselines.control.policies import Policy, make_policy
+from heli_gym.baselines.control.policies import make_policy
+from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.weights import WEIGHTS, store_weights
 from heli_gym.baselines.evaluation.metrics import crash_cost, tracking_reward
 from heli_gym.env import find_reference

@@ -8,10 +8,13 @@ that (3) does not explain as three more states (Anderson and Moore, Optimal Filt
 """
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from heli_gym.baselines.control.protocol import apply_gains
 from heli_gym.model import dynamics, linearise, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
 
@@ -123,6 +126,45 @@ def settling_gains(
 def settling_periods(dt: float) -> int:
     """After how many steps of dt seconds a filter has settled."""
     return max(1, round(SETTLED / dt))
+
+
+@dataclass(frozen=True, eq=False)
+class Observer:
+    """Kalman filter with precomputed gains (9, 3, K + 1) on the control grid, of a flight from the reference's start.
+
+    A flight that begins in some later period uses settling(period) (9, 3, J) instead while the filter settles.
+    """
+
+    gains: np.ndarray
+    settling: Callable[[int], np.ndarray]
+    control_period: float
+    known: dict[int, np.ndarray] = field(default_factory=dict, init=False, repr=False)
+
+    def __call__(
+        self, x: np.ndarray, disturbance: np.ndarray, measurement: np.ndarray, now: Any, start: Any
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """State (6, ...) and disturbance (3, ...) after the measurement (6, ...), of which only the angles count.
+
+        x and disturbance are the predictions; now and start, the present and the first control period, may be (N,).
+        """
+        correction = apply_gains(self.gains_at(now, start), (measurement - x)[0::2])
+        return x + correction[:6], disturbance + correction[6:]
+
+    def gains_at(self, now: Any, start: Any) -> np.ndarray:
+        """Gains (9, 3), or (9, 3, N) of N times, in this period of flights that began in others."""
+        settles = (start > 0) & (now - start < settling_periods(self.control_period))
+        if np.ndim(now) == 0:
+            return self.first_gains(start)[:, :, now - start] if settles else self.gains[:, :, now]
+        gains = self.gains[:, :, now]
+        for i in np.flatnonzero(settles):
+            gains[:, :, i] = self.first_gains(int(start[i]))[:, :, now[i] - start[i]]
+        return gains
+
+    def first_gains(self, start: int) -> np.ndarray:
+        """`settling`, computed once."""
+        if start not in self.known:
+            self.known[start] = self.settling(start)
+        return self.known[start]
 
 
 def disturbance_accommodated_reference(

@@ -7,6 +7,7 @@ safetensors beside a JSON file with its settings and the SHA-256 of the weights,
 import json
 import math
 import os
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from hashlib import sha256
 from pathlib import Path
@@ -14,7 +15,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from heli_gym.baselines.control.policies import ModelPolicy, Policy, expand_batch_dims, make_policy, step_index
+from heli_gym.baselines.control.model_based import ModelPolicy
+from heli_gym.baselines.control.protocol import Policy, StatefulPolicy, expand_batch_dims, step_index
 from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
 from heli_gym.storage import atomic_write
 from heli_gym.task import TOLERANCE, control_grid, to_action
@@ -36,8 +38,9 @@ DISTURBANCE_SCALE, INTEGRAL_SCALE, FEATURE_CLIP = 0.2, 0.1, 5.0  # rad/s², rad 
 
 
 class Memory(NamedTuple):
-    """What a residual policy remembers, besides what its base policy does."""
+    """State of a residual policy between control periods."""
 
+    base: Any  # memory of the base policy, where it is a `StatefulPolicy`
     integral: np.ndarray  # (2, ...) rad s, of the errors of travel and elevation
     past: np.ndarray  # (H, 5, ...) errors of the angles in tolerances, and corrections, the last first
 
@@ -47,7 +50,7 @@ class ResidualPolicy:
     """A base policy and a correction. Without a network, or with scale 0, it flies the base policy bit for bit.
 
     Args:
-        base: the policy that is corrected; a `ModelPolicy` is told what was asked for after all.
+        base: policy that is corrected; a `ModelPolicy` is given the voltages that were applied after all.
         reference: what both follow.
         network: from features (F, ...) to actions (2, ...) in [-1, 1].
         scale: V, the greatest correction.
@@ -83,7 +86,7 @@ class ResidualPolicy:
     def reset(self, rng: np.random.Generator) -> None:
         """Forget the last flight."""
         self.base.reset(rng)
-        self.memory = None
+        self.memory = None  # with the memory of the base
 
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
         measurement = np.asarray(measurement, dtype=float)
@@ -92,11 +95,16 @@ class ResidualPolicy:
 
     def observe(self, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Voltages of the base policy (2, ...) in V, and the features (F, ...) for the network."""
-        u_base = self.base(t, measurement)
         k = step_index(t, self.control_period, self.x.shape[1] - 1)
         if self.memory is None:
             batch = measurement.shape[1:]
-            self.memory = Memory(np.zeros((2, *batch)), np.zeros((max(self.past_steps), 5, *batch)))
+            base = self.base.init(t, measurement) if isinstance(self.base, StatefulPolicy) else None
+            self.memory = Memory(base, np.zeros((2, *batch)), np.zeros((max(self.past_steps), 5, *batch)))
+        if isinstance(self.base, StatefulPolicy):
+            u_base, base = self.base.step(self.memory.base, t, measurement)
+            self.memory = self.memory._replace(base=base)
+        else:
+            u_base = self.base(t, measurement)
         error = measurement - expand_batch_dims(self.x[:, k], measurement)
         past = self.memory.past
         groups = {
@@ -111,10 +119,10 @@ class ResidualPolicy:
             "preview": [expand_batch_dims(self.preview[:, k], measurement) + np.zeros((1, *measurement.shape[1:]))],
             "past": [past[step - 1] for step in self.past_steps],
         }
-        if isinstance(self.base, ModelPolicy) and self.base.memory is not None:
+        if isinstance(self.base, ModelPolicy):
             groups["estimate"] = [
-                self.base.memory.disturbance / DISTURBANCE_SCALE,
-                to_action(self.base.memory.rotors, self.voltage_limits),
+                self.memory.base.disturbance / DISTURBANCE_SCALE,
+                to_action(self.memory.base.rotors, self.voltage_limits),
             ]
         rows = [row for group in FEATURE_GROUPS if group in self.feature_groups for row in groups[group]]
         return u_base, np.clip(np.concatenate(rows), -FEATURE_CLIP, FEATURE_CLIP)
@@ -127,12 +135,14 @@ class ResidualPolicy:
             raise ValueError("correct: comes after observe")
         k = step_index(t, self.control_period, self.x.shape[1] - 1)
         u = u_base + self.scale * action if self.scale else u_base
+        base = self.memory.base
         if isinstance(self.base, ModelPolicy) and self.scale:
-            self.base.set_applied_input(u)
+            base = self.base.with_applied_input(base, u)
         error = (measurement - expand_batch_dims(self.x[:, k], measurement))[0::2]
         tolerances = expand_batch_dims(np.array(TOLERANCE[0::2]), measurement)
         now = np.concatenate((error / tolerances, action))[None]
         self.memory = Memory(
+            base,
             self.memory.integral + self.control_period * error[:2],
             np.concatenate((now, self.memory.past[:-1])),
         )
@@ -214,16 +224,23 @@ def load_learned(path: str | os.PathLike) -> tuple[Learned, Network]:
 
 
 def learned_policy(
-    path: str | os.PathLike, reference: Trajectory, control_period: float, parameters: HelicopterParameters
+    path: str | os.PathLike,
+    reference: Trajectory,
+    control_period: float,
+    parameters: HelicopterParameters,
+    make_base: Callable[..., Policy],
 ) -> ResidualPolicy:
-    """The stored policy, for a reference. Raises ValueError for a control period that it was not trained for."""
+    """The stored policy, for a reference; `make_base`, as `make_policy`, makes the policy that it corrects.
+
+    Raises ValueError for a control period that it was not trained for.
+    """
     settings, network = load_learned(path)
     if control_period != settings.control_period:
         raise ValueError(
             f"control_period = {control_period:g} s: the policy {Path(path).name} was trained for "
             f"{settings.control_period:g} s"
         )
-    base = make_policy(settings.base, reference, control_period, parameters)
+    base = make_base(settings.base, reference, control_period, parameters)
     return ResidualPolicy(
         base, reference, network, settings.scale, control_period, feature_groups=settings.feature_groups
     )

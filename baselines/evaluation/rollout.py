@@ -5,8 +5,7 @@ from typing import Any
 import gymnasium as gym
 import numpy as np
 
-from heli_gym.baselines.control.policies import ModelPolicy, Policy, TrackingPolicy
-from heli_gym.baselines.control.residual import ResidualPolicy
+from heli_gym.baselines.control.protocol import Policy
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.trajectory import Trajectory
@@ -102,7 +101,7 @@ def check_policy(policy: Policy, env: Heli3DOFEnv | Heli3DOFVectorEnv, reference
             f"{name} an amplifier of {low:g} to {high:g} V, and env's gives "
             f"{env.voltage_limits[0]:g} to {env.voltage_limits[1]:g} V"
         )
-    if isinstance(policy, TrackingPolicy | ModelPolicy | ResidualPolicy):
+    if hasattr(policy, "x"):
         x, _ = control_grid(reference, env.control_period)
         last = policy.x.shape[1] - 1
         if policy.x.shape != x.shape:

@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from heli_gym import HelicopterParameters
 from heli_gym.baselines import POLICIES, fly, make_policy, riccati_gains
 from heli_gym.baselines.control.estimation import IDEAL, Actuator
-from heli_gym.baselines.control.policies import kalman_lqr, lag_lqi, lag_lqr
+from heli_gym.baselines.control.model_based import kalman_lqr, lag_lqi, lag_lqr
 from heli_gym.baselines.control.weights import LAG_LQR, LQI, TVLQR, WEIGHTS, store_weights
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.env import Heli3DOFEnv, find_reference
@@ -246,10 +246,11 @@ def test_while_the_amplifier_saturates_nothing_is_integrated():
 
 def test_the_lag_aware_feedforward_leads_by_the_lag():
     policy = lag_lqr(REFERENCE, 0.02, HelicopterParameters(), actuator=Actuator(lag=0.1, delay=0))
-    rotors = policy.u[:, 0]
+    u, command = policy.regulator.u, policy.regulator.command
+    rotors = u[:, 0]
     for k in range(policy.x.shape[1] - 1):
-        assert_allclose(rotors, policy.u[:, k], atol=0.15)  # V
-        rotors = policy.command[:, k] + (rotors - policy.command[:, k]) * math.exp(-0.02 / 0.1)
+        assert_allclose(rotors, u[:, k], atol=0.15)  # V
+        rotors = command[:, k] + (rotors - command[:, k]) * math.exp(-0.02 / 0.1)
 
 
 @pytest.mark.parametrize(("name", "weights"), [("lqi", TVLQR), ("lag-lqr", LQI), ("zero", TVLQR)])
@@ -282,7 +283,35 @@ def test_a_policy_believes_in_the_amplifier_it_is_told_of(name):
     model = getattr(policy, "base", policy)
     policy(0.0, REFERENCE(0.0)[0] + np.array([0.0, 0.0, 0.8, 0.0, 0.0, 0.0]))
     assert model.voltage_limits == policy.voltage_limits == (0.0, 9.0)
-    assert max(map(np.max, model.memory.pending)) <= 9.0
+    memory = getattr(policy.memory, "base", policy.memory)
+    assert max(map(np.max, memory.pending)) <= 9.0
+
+
+def test_the_middle_voltage_is_that_of_the_amplifier():
+    assert_array_equal(make_policy("middle-voltage", REFERENCE, voltage_limits=(-24.0, 24.0))(0.0, CORNER), 0.0)
+    assert_array_equal(make_policy("middle-voltage", REFERENCE)(0.0, CORNER), 6.0)
+
+
+@pytest.mark.parametrize("control_period", [math.nan, math.inf, 0.0, -0.02, 10**400, "0.02", None])
+def test_a_control_period_that_is_not_positive_and_finite_is_refused(control_period):
+    with pytest.raises(ValueError, match="control_period = "):
+        make_policy("lqi", REFERENCE, control_period)
+
+
+@pytest.mark.parametrize("voltage_limits", [(math.nan, 1.0), (0.0, math.inf), (12.0, 0.0), (1.0,), (0.0, 10**400)])
+def test_voltage_limits_that_are_not_finite_and_increasing_are_refused(voltage_limits):
+    with pytest.raises(ValueError, match="voltage_limits = "):
+        make_policy("lqi", REFERENCE, voltage_limits=voltage_limits)
+
+
+def test_a_step_depends_on_the_memory_it_is_given_alone():
+    policy = make_policy("kalman-lqr", REFERENCE)
+    start = policy.init(0.0, REFERENCE(0.0)[0])
+    u, later = policy.step(start, 0.0, REFERENCE(0.0)[0] + CORNER)
+    policy.step(later, 0.02, REFERENCE(0.02)[0] - CORNER)
+    assert policy.memory is None
+    again, _ = policy.step(start, 0.0, REFERENCE(0.0)[0] + CORNER)
+    assert_array_equal(again, u)
 
 
 @pytest.mark.parametrize("name", WEIGHTS)

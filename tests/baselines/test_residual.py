@@ -142,7 +142,7 @@ def test_a_damaged_policy_is_refused_by_its_path(tmp_path, damage):
         del described["scale"]
         path.with_suffix(".json").write_text(json.dumps(described))
     with pytest.raises(ValueError, match="one"):
-        learned_policy(path, SHORT, 0.02, None)
+        learned_policy(path, SHORT, 0.02, None, make_policy)
 
 
 def test_bad_settings_are_named(tmp_path):

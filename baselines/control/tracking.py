@@ -1,0 +1,61 @@
+"""Feedforward and static state feedback: open loop, the paper's time-varying regulator, a hover regulator."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from heli_gym.baselines.control.discrete_lqr import Weights
+from heli_gym.baselines.control.protocol import MemorylessPolicy, apply_gains, expand_batch_dims, step_index
+from heli_gym.baselines.control.weights import TVLQR
+from heli_gym.baselines.paper.tvlqr import riccati_gains, stationary_gain
+from heli_gym.model import fan_thrusts, hover_input, thrust, virtual_input, voltage
+from heli_gym.parameters import HelicopterParameters
+from heli_gym.task import control_grid
+from heli_gym.trajectory import Trajectory
+
+
+@dataclass(frozen=True, eq=False)
+class TrackingPolicy(MemorylessPolicy):
+    """The two-degrees-of-freedom scheme of Fig. 3: a feedforward and a state feedback on the tracking error, (51).
+
+    Arrays are on the control grid, K + 1 times `control_period` s apart: x (6, K + 1), the feedforward's v (2, K + 1)
+    in N and the gains (2, 6, K + 1), whose correction is in N too.
+    """
+
+    x: np.ndarray
+    v: np.ndarray
+    gains: np.ndarray
+    parameters: HelicopterParameters
+    control_period: float
+
+    def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
+        k = step_index(t, self.control_period, self.x.shape[1] - 1)
+        error = measurement - expand_batch_dims(self.x[:, k], measurement)
+        v = expand_batch_dims(self.v[:, k], measurement) - apply_gains(self.gains[:, :, k], error)
+        return voltage(fan_thrusts(v), self.parameters)
+
+
+def open_loop(reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> TrackingPolicy:
+    """The feedforward alone."""
+    x, u = control_grid(reference, control_period)
+    v = np.stack(virtual_input(thrust(u, parameters)))
+    return TrackingPolicy(x, v, np.zeros((2, *x.shape)), parameters, control_period)
+
+
+def feedforward_tvlqr(
+    reference: Trajectory, control_period: float, parameters: HelicopterParameters, weights: Weights = TVLQR
+) -> TrackingPolicy:
+    """The paper's controller: the feedforward of Section III-D and the time-varying regulator of Section III-E."""
+    feedforward = open_loop(reference, control_period, parameters)
+    times = control_period * np.arange(feedforward.x.shape[1])
+    gains = riccati_gains(reference, parameters, weights.Q, weights.R)(times)
+    return TrackingPolicy(feedforward.x, feedforward.v, gains, parameters, control_period)
+
+
+def hover_lqr(reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> TrackingPolicy:
+    """A stationary regulator about hover at the goal, which follows the reference's states without feedforward."""
+    x, _ = control_grid(reference, control_period)
+    elevation = float(reference.x[2, -1])
+    v = np.repeat(hover_input(elevation, parameters)[:, None], x.shape[1], axis=1)
+    gains = np.repeat(stationary_gain(elevation, parameters)[:, :, None], x.shape[1], axis=2)
+    return TrackingPolicy(x, v, gains, parameters, control_period)
