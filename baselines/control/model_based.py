@@ -101,6 +101,11 @@ class ModelPolicy(StatefulPolicy):
         """States (6, K + 1) of the reference on the control grid."""
         return self.regulator.x
 
+    @property
+    def reference_states(self) -> np.ndarray:
+        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        return self.x
+
     def init(self, t: float | np.ndarray, measurement: np.ndarray) -> Memory:
         """State of the reference, with which a filter begins, and rotors at the reference's voltages."""
         batch, now = measurement.shape[1:], self.index(t)

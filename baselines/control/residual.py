@@ -83,6 +83,11 @@ class ResidualPolicy:
         self.preview = np.concatenate([(x / STATE_SCALE[:, None])[1:] for x in ahead])
         self.past_steps = [round(seconds / self.control_period) for seconds in BEFORE]
 
+    @property
+    def reference_states(self) -> np.ndarray:
+        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        return self.x
+
     def reset(self, rng: np.random.Generator) -> None:
         """Forget the last flight."""
         self.base.reset(rng)

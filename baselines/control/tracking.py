@@ -28,6 +28,11 @@ class TrackingPolicy(MemorylessPolicy):
     parameters: HelicopterParameters
     control_period: float
 
+    @property
+    def reference_states(self) -> np.ndarray:
+        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        return self.x
+
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
         k = step_index(t, self.control_period, self.x.shape[1] - 1)
         error = measurement - expand_batch_dims(self.x[:, k], measurement)

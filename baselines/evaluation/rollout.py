@@ -87,9 +87,10 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
 
 
 def check_policy(policy: Policy, env: Heli3DOFEnv | Heli3DOFVectorEnv, reference: Trajectory) -> None:
-    """Raises ValueError if the policy was made for another control period, amplifier or reference than these.
+    """Raise ValueError if the policy was made for another control period, amplifier or reference than these.
 
-    Of a policy that does not say what it was made for, nothing is known, and nothing is refused.
+    A policy says so by its attributes `control_period` (s), `voltage_limits` (V) and `reference_states` (6, K + 1) on
+    the control grid, where it has them.
     """
     name = f"policy: this {type(policy).__name__} was made for"
     period = getattr(policy, "control_period", env.control_period)
@@ -101,14 +102,15 @@ def check_policy(policy: Policy, env: Heli3DOFEnv | Heli3DOFVectorEnv, reference
             f"{name} an amplifier of {low:g} to {high:g} V, and env's gives "
             f"{env.voltage_limits[0]:g} to {env.voltage_limits[1]:g} V"
         )
-    if hasattr(policy, "x"):
+    states = getattr(policy, "reference_states", None)
+    if states is not None:
         x, _ = control_grid(reference, env.control_period)
-        last = policy.x.shape[1] - 1
-        if policy.x.shape != x.shape:
+        last = states.shape[1] - 1
+        if states.shape != x.shape:
             raise ValueError(
                 f"{name} a reference of {last * period:g} s, and env's takes {(x.shape[1] - 1) * period:g} s"
             )
-        apart = np.abs(policy.x - x).max(axis=0)
+        apart = np.abs(states - x).max(axis=0)
         if apart.max() > SAME_REFERENCE:
             k = int(apart.argmax())
             raise ValueError(
