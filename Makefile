@@ -12,7 +12,7 @@ SEEDS := 0 1 2 3 4 5 6 7 8 9
 TUNED := feedforward+tvlqr lqi lag-lqr lag-lqi kalman-lqr
 TRAIN = $(BIN)/heli-train --out out/train --resume
 
-.PHONY: demo test lint reproduce clean
+.PHONY: demo test test-slow lint docs build/types reproduce clean
 
 demo: $(VENV)/eval
 	$(BIN)/heli-evaluate --out out
@@ -20,12 +20,22 @@ demo: $(VENV)/eval
 test: $(VENV)/dev
 	$(BIN)/pytest
 
-lint: $(VENV)/dev
+test-slow: $(VENV)/dev
+	$(BIN)/pytest -m slow
+
+lint: $(VENV)/dev build/types
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
-	rm -rf build/types && mkdir -p build/types/heli_gym
-	ln -s $(CURDIR)/heli_gym/* $(CURDIR)/baselines $(CURDIR)/train build/types/heli_gym  # as installed
 	$(BIN)/mypy
+
+docs: $(VENV)/docs build/types
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build
+	@echo "open site/index.html"
+
+# The packages under the names that they have once installed, for tools that read sources.
+build/types:
+	rm -rf $@ && mkdir -p $@/heli_gym
+	ln -s $(CURDIR)/heli_gym/* $(CURDIR)/baselines $(CURDIR)/train $@/heli_gym
 
 reproduce: $(VENV)/dev
 	@echo "ten searches for weights, 26 training runs, two tables: some two hours on an idle core; may be interrupted"
@@ -44,7 +54,7 @@ reproduce: $(VENV)/dev
 	done
 
 clean:
-	rm -rf $(VENV) out build dist *.egg-info
+	rm -rf $(VENV) out build dist site *.egg-info
 
 $(VENV)/bin/python:
 	$(PYTHON) -m venv $(VENV)
@@ -56,3 +66,7 @@ $(VENV)/eval: pyproject.toml | $(VENV)/bin/python
 $(VENV)/dev: pyproject.toml | $(VENV)/bin/python
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[dev,train]'
 	touch $@ $(VENV)/eval
+
+$(VENV)/docs: pyproject.toml | $(VENV)/bin/python
+	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[docs]'
+	touch $@
