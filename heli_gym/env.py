@@ -1,14 +1,18 @@
 """Heli3DOF-v0: one helicopter that is to follow a reference."""
 
-import inspect
 import math
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
 from numbers import Real
 from pathlib import Path
 from typing import Any, overload
 
 import gymnasium as gym
 import numpy as np
+from gymnasium.envs.registration import EnvSpec
 from gymnasium.spaces import Box
+from gymnasium.utils.seeding import np_random
 from numpy.typing import ArrayLike
 
 from heli_gym import task
@@ -42,7 +46,8 @@ STATE, MEASUREMENT, VOLTAGE = (
     slice(COMMAND, COMMAND + 2),
 )  # of what is told
 REFERENCES = Path(__file__).parent / "references"
-LONGEST = 3600.0  # s, of what a sampler draws
+LONGEST = 3600.0  # s, of a reference
+LARGEST_VOLTAGE = 1000.0  # V, of an amplifier
 PERIODS = (1e-4, 0.05)  # s; up to the latter, one Runge-Kutta step through (3) is accurate to 1e-7
 
 
@@ -56,21 +61,33 @@ def find_reference(reference: str | Trajectory | Sampler) -> Trajectory | Sample
     Raises ValueError for an unknown name, or a file that holds no trajectory.
     """
     if isinstance(reference, Trajectory):
+        _check_duration(reference, reference)
         return reference
     if callable(reference):
         _number("reference.duration", getattr(reference, "duration", None), "s", 1e-3, LONGEST)
         return reference
     path = Path(reference) if str(reference).endswith(".npz") else REFERENCES / f"{reference}.npz"
-    if not path.is_file():
+    try:
+        exists = path.is_file()
+    except OSError:  # no name that a file could have
+        exists = False
+    if not exists:
         names = ", ".join(sorted(repr(known.stem) for known in REFERENCES.glob("*.npz")))
         raise ValueError(
             f"reference = {reference!r}: must be a Trajectory, a sampler, the path of an existing .npz file or "
             f"one of {names}"
         )
     try:
-        return Trajectory.load(path)
+        trajectory = Trajectory.load(path)
     except ValueError as error:
         raise ValueError(f"reference = {reference!r}: {error}") from error
+    _check_duration(reference, trajectory)
+    return trajectory
+
+
+def _check_duration(name: Any, reference: Trajectory) -> None:
+    if reference.duration > LONGEST:
+        raise ValueError(f"reference = {name!r}: must take at most {LONGEST:g} s, not {reference.duration:g} s")
 
 
 class Heli3DOFEnv(gym.Env):
@@ -134,9 +151,10 @@ class Heli3DOFEnv(gym.Env):
     | 48     | remaining time                                         | s     |
 
     `info["state"]` is the true state (44), `info["measurement"]` what a controller may use (on the nominal plant the
-    same), `info["time"]` the time in s, and `info["plant"]` the plant that was drawn, for analysis only. After a step,
-    `info["voltage"]` are the voltages asked for, within the amplifier's limits, and `info["cost"]` is how far they and
-    the pitch were outside the limits that the reference was planned under, in widths of these limits times seconds.
+    same), `info["time"]` the time in s, `info["voltage"]` the voltages commanded in the last period, within the
+    amplifier's limits, and `info["cost"]` the excess of these and of the pitch over the limits that the reference was
+    planned under, in widths of these limits times seconds; both are zero after a reset. The keys are always the same,
+    and the values numbers. The attribute `drawn_plant` is the plant of the episode, for analysis only.
 
     ## Rewards
 
@@ -156,8 +174,9 @@ class Heli3DOFEnv(gym.Env):
     ## Episode End
 
     Terminated when the pitch leaves `±pitch_limit`. Elevation has no stop: neither a floor nor a bound ends a flight or
-    holds the arm. Truncated when the maneuver is over. In the last step, `info["is_success"]` tells whether the
-    maneuver was flown to its end, and there the true state is within the tolerances of Rewards, angles and rates alike.
+    holds the arm. Truncated when the maneuver is over; `spec.max_episode_steps` is the number of control periods it
+    takes. `info["is_success"]` is true in the last step of a maneuver that was flown to its end, where the true state
+    is within the tolerances of Rewards, angles and rates alike, and false in all other steps.
 
     That asks for the reference's pitch as well, which fits a reference that ends at rest. Where one ends in motion, as
     "elevation-sine" does, travel damping has to be outweighed by more tilt than the reference has: up to 8 degrees on
@@ -180,7 +199,8 @@ class Heli3DOFEnv(gym.Env):
     - `random_start`: whether episodes start at a random time of the maneuver, rather than at its start.
     - `render_mode`: "human" for a window, in real time; "rgb_array" for pictures. Both need `heli-gym[render]`.
 
-    All are plain values, so that a spec survives JSON, or objects. Bad ones raise a `ValueError` that names them.
+    All are plain values, so that a spec survives JSON, or objects. Bad ones raise a `ValueError` that names them, an
+    unknown one a `TypeError`.
 
     ## Version History
 
@@ -199,11 +219,7 @@ class Heli3DOFEnv(gym.Env):
         start_spread_deg: float = 0.0,
         random_start: bool = False,
         render_mode: str | None = None,
-        **unknown: Any,
     ) -> None:
-        if unknown:
-            known = ", ".join(inspect.signature(Heli3DOFEnv).parameters).removesuffix(", unknown")
-            raise ValueError(f"{', '.join(f'{k} = {v!r}' for k, v in unknown.items())}: the arguments are {known}")
         if render_mode not in (None, *self.metadata["render_modes"]):
             raise ValueError(f"render_mode = {render_mode!r}: must be None, 'human' or 'rgb_array'")
         self.render_mode = render_mode
@@ -219,6 +235,8 @@ class Heli3DOFEnv(gym.Env):
         room = np.degrees(min(self.pitch_limit - abs(x[4, 0]), task.FARTHEST_START[0]))
         self.start_spread_deg = _number("start_spread_deg", start_spread_deg, "deg", 0.0, room)
 
+        if not isinstance(random_start, bool | np.bool_):
+            raise ValueError(f"random_start = {random_start!r}: must be True or False")
         self.random_start = bool(random_start)
         self.own_simulation = self.simulation = self._simulation(self.plant)
         _, feature_bound = self.simulation.feature_bound[0]
@@ -228,20 +246,23 @@ class Heli3DOFEnv(gym.Env):
         self.observation_space = Box(-self.bound, self.bound, dtype=np.float32)
         self.action_space = Box(-1.0, 1.0, (2,), dtype=np.float32)
         self.over = True
+        self._spec: EnvSpec | None = None
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[np.ndarray, dict[str, Any]]:
-        """To the start of the reference; see Starting State for the options. Raises ValueError for others."""
-        super().reset(seed=seed)
-        options = options or {}
-        unknown = set(options) - {"state", "plant"}
-        if unknown:
-            raise ValueError(f"options = {options!r}: only 'state' and 'plant' are known")
-        plant = find_plant(options.get("plant", self.plant))
+        """Start an episode; see Starting State for the options.
+
+        Raises ValueError for a seed or an option that is refused, which changes nothing.
+        """
+        options = checked_options(options, ("state", "plant"))
+        generator, own_seed = (self.np_random, self.np_random_seed) if seed is None else seeded(seed)
+        plant = self.plant if options["plant"] is None else find_plant(options["plant"])
         simulation = self.own_simulation if plant is self.plant else self._simulation(plant)
-        reference = simulation.draw(0, self.np_random)
-        simulation.reset(ONLY, self._start(options, reference))
+        with undone_on_error(simulation, [generator]):
+            state = self._start(options["state"], simulation.draw(0, generator))
+        self._np_random, self._np_random_seed = generator, own_seed
+        simulation.reset(ONLY, state)
         self.drawn_plant = simulation.drawn_plant(0)
         self.simulation, self.memory = simulation, simulation.memory
         self.step_one = one_step(simulation.rhs, simulation.fly)
@@ -250,46 +271,62 @@ class Heli3DOFEnv(gym.Env):
         simulation.write_outputs(ONLY, observation, outputs)
         if self.render_mode == "human":
             self.render()
-        state = outputs[STATE, 0]
+        is_sensed = simulation.outputs == N_OUTPUTS_SENSED
         return observation[0], {
-            "state": state,
-            "measurement": outputs[MEASUREMENT, 0] if simulation.outputs == N_OUTPUTS_SENSED else state.copy(),
+            "state": outputs[STATE, 0],
+            "measurement": outputs[MEASUREMENT if is_sensed else STATE, 0].copy(),
             "time": float(outputs[TIME, 0]),
-            "plant": self.drawn_plant,
+            "voltage": np.zeros(2),
+            "cost": 0.0,
+            "is_success": False,
         }
 
     def step(self, action: ArrayLike) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
-        """One control period with the voltages held. Raises ValueError for an action that is not two finite numbers."""
+        """Fly one control period with the voltages held.
+
+        Raises ValueError for an action that is not two finite real numbers, which changes nothing.
+        """
         if self.over:
             raise gym.error.ResetNeeded("the episode is over: call reset before step")
         # What takes time here is Python's handling of arrays, not the flight: look at benchmarks/ before adding one.
         observation, outputs = np.empty(OBSERVED, np.float32), np.empty(N_OUTPUTS_SENSED)
         try:
-            front, back = action.tolist()  # type: ignore[union-attr]
+            front, back = action.tolist() if action.dtype.char in "fd" else two_numbers(action)  # type: ignore[union-attr]
             time, reward, cost, over = self.step_one(self.memory, front, back, observation, outputs)
         except (AttributeError, TypeError, ValueError):  # no array of two numbers
             time, reward, cost, over = self.step_one(self.memory, *two_numbers(action), observation, outputs)
         if over == NOT_FINITE:
-            raise ValueError(f"action = {action!r}: must be two finite numbers")
+            raise ValueError(f"action = {action!r}: must be two finite real numbers")
         info = {
             "state": outputs[STATE],
             "measurement": outputs[MEASUREMENT],
             "time": time,
-            "plant": self.drawn_plant,
             "voltage": outputs[VOLTAGE],
             "cost": cost,
+            "is_success": over == ARRIVED,
         }
         if over != FLYING:
             self.over = True
-            info["is_success"] = over == ARRIVED
         if self.render_mode == "human":
             self.render()
         return observation, reward, over == CRASHED, over >= ENDED_OFF_GOAL, info
 
     @property
     def reference(self) -> Trajectory:
-        """What is to be followed in this episode."""
+        """Trajectory to track in this episode."""
         return self.simulation.reference_of(0)
+
+    @property
+    def spec(self) -> EnvSpec | None:  # type: ignore[override]
+        """Specification; `max_episode_steps` is the number of control periods of the maneuver, or of the longest."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, value: EnvSpec | None) -> None:
+        self._spec = with_episode_steps(value, task.control_steps(self.source.duration, self.control_period))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**vars(self), "renderer": None}  # a window cannot be copied, and is opened again where one is wanted
 
     def render(self) -> np.ndarray | None:
         """The helicopter now: a picture (720, 960, 3), uint8, or None and a window, as the render mode says.
@@ -327,18 +364,59 @@ class Heli3DOFEnv(gym.Env):
             self.random_start,
         )
 
-    def _start(self, options: dict[str, Any], reference: Trajectory) -> np.ndarray | None:
-        """The state (1, 6) that the options ask for, if they do."""
-        if "state" not in options:
+    def _start(self, value: Any, reference: Trajectory) -> np.ndarray | None:
+        """The state (1, 6) of an option; None without one."""
+        if value is None:
             return None
-        nominal, state = reference.x[:, 0], _numbers(options["state"], 6)
+        nominal, state = reference.x[:, 0], _numbers(value, 6)
         near = state is not None and (abs(state - nominal) <= task.FARTHEST_START).all()
         if state is None or not near or task.crashed(state[4], self.pitch_limit):
             raise ValueError(
-                f"options['state'] = {options['state']!r}: must be six finite numbers, within 1 rad and 1 rad/s of the "
+                f"options['state'] = {value!r}: must be six finite numbers, within 1 rad and 1 rad/s of the "
                 f"reference's start {nominal} and with the pitch within {self.pitch_limit:g} rad"
             )
         return np.array([state])
+
+
+class SeedError(gym.error.Error, ValueError):
+    """Refusal of a seed, in Gymnasium's type and in Python's."""
+
+
+def seeded(seed: Any) -> tuple[np.random.Generator, int]:
+    """A new random generator, and its seed. Raises SeedError unless the seed is a whole number, at least 0."""
+    try:
+        return np_random(int(seed) if isinstance(seed, np.integer) else seed)
+    except gym.error.Error as error:
+        raise SeedError(f"seed = {seed!r}: must be a whole number, at least 0") from error
+
+
+def checked_options(options: Any, names: Sequence[str]) -> dict[str, Any]:
+    """The options of a reset by name, None for those that are not given. Raises ValueError for others."""
+    if options is not None and not isinstance(options, Mapping):
+        raise ValueError(f"options = {options!r}: must be a dictionary")
+    given = dict(options or {})
+    if not set(given) <= set(names):
+        raise ValueError(f"options = {options!r}: must be among {', '.join(map(repr, names))}")
+    return dict.fromkeys(names) | given
+
+
+@contextmanager
+def undone_on_error(simulation: Simulation, generators: Sequence[np.random.Generator]) -> Iterator[None]:
+    """Undo what was drawn for the next flights if the block raises: a refused reset changes nothing."""
+    drawn, uniforms = dict(simulation.drawn), simulation.uniforms.copy()
+    states = [generator.bit_generator.state for generator in generators]
+    try:
+        yield
+    except BaseException:
+        simulation.drawn, simulation.uniforms[:] = drawn, uniforms
+        for generator, state in zip(generators, states):
+            generator.bit_generator.state = state
+        raise
+
+
+def with_episode_steps(spec: EnvSpec | None, steps: int) -> EnvSpec | None:
+    """The specification with the length of an episode in it, where it has none."""
+    return spec if spec is None or spec.max_episode_steps is not None else replace(spec, max_episode_steps=steps)
 
 
 def render_state(simulation: Simulation, j: int) -> RenderState:
@@ -363,29 +441,39 @@ def two_numbers(action: Any) -> list[float]:
     """The two numbers of an action. Raises ValueError if it is anything else."""
     values = _numbers(action, 2)
     if values is None:
-        raise ValueError(f"action = {action!r}: must be two finite numbers")
+        raise ValueError(f"action = {action!r}: must be two finite real numbers")
     return values
+
+
+def real_array(values: Any) -> np.ndarray | None:
+    """The values as an array of floats; None unless they are real numbers: no truth values, text or objects."""
+    try:
+        array = np.asarray(values)
+    except (TypeError, ValueError, OverflowError):
+        return None
+    return array.astype(float) if array.dtype.kind in "iuf" else None
 
 
 def _numbers(values: Any, count: int) -> list[float] | None:
     """The values as so many finite floats; None if they are anything else."""
-    try:
-        array = np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
+    array = real_array(values)
+    if array is None or array.shape != (count,):
         return None
     numbers = array.tolist()
-    return numbers if array.shape == (count,) and all(map(math.isfinite, numbers)) else None
+    return numbers if all(map(math.isfinite, numbers)) else None
 
 
 def _number(name: str, value: Any, unit: str, low: float, high: float) -> float:
     """The value, if it is in [low, high]."""
-    if not isinstance(value, Real) or not low <= float(value) <= high:
+    if not isinstance(value, Real) or isinstance(value, bool) or not low <= value <= high:
         raise ValueError(f"{name} = {value!r}: must be at least {low:g} and at most {high:g} {unit}")
     return float(value)
 
 
 def _pair(name: str, value: Any) -> tuple[float, float]:
     numbers = _numbers(value, 2)
-    if numbers is None or not numbers[0] < numbers[1]:
-        raise ValueError(f"{name} = {value!r}: must be (min, max) in V with min < max")
+    if numbers is None or not -LARGEST_VOLTAGE <= numbers[0] < numbers[1] <= LARGEST_VOLTAGE:
+        raise ValueError(
+            f"{name} = {value!r}: must be (min, max) in V with min < max, within {LARGEST_VOLTAGE:g} V of zero"
+        )
     return numbers[0], numbers[1]

@@ -6,14 +6,24 @@ from typing import Any
 
 import gymnasium as gym
 import numpy as np
+from gymnasium.envs.registration import EnvSpec
 from gymnasium.spaces import Box
-from gymnasium.utils.seeding import np_random
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 from numpy.typing import ArrayLike
 
 from heli_gym import task
-from heli_gym.env import Heli3DOFEnv, find_reference, render_state
+from heli_gym.env import (
+    Heli3DOFEnv,
+    SeedError,
+    checked_options,
+    find_reference,
+    real_array,
+    render_state,
+    seeded,
+    undone_on_error,
+    with_episode_steps,
+)
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer
@@ -32,6 +42,8 @@ from heli_gym.simulation.kernels import (
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
 
+MOST = 2**31  # helicopters, or steps of an episode
+
 
 class Heli3DOFVectorEnv(VectorEnv):
     """Many helicopters in one array; each flies what a `Heli3DOFEnv` with the same seed flies.
@@ -43,12 +55,12 @@ class Heli3DOFVectorEnv(VectorEnv):
         plant: one for all, or a sequence of one each; either all have a rig, or none.
         reference: one for all, or a sequence of one each. Where a sampler draws them, each helicopter has its own.
         autoreset_mode: "NextStep", "SameStep" or "Disabled", or gymnasium's `AutoresetMode`.
+        max_episode_steps: at which flights are truncated, where that is before the end of their maneuver.
         dtype: of the simulation, "float64" or "float32"; the latter is faster for many helicopters, and accurate to
             about 1e-5 over a flight.
 
-    `info["plant"]`, an object array, is there after a `reset` only; `plant_of` and `reference_of` tell at any time what
-    a helicopter is and what it follows. `options["plant"]` of a `reset` flies another plant, in all helicopters and
-    until the next `reset`. All arrays that are handed out are new.
+    `plant_of` and `reference_of` return the plant of a helicopter's episode and its reference. `options["plant"]` of a
+    `reset` flies another plant, one for all or one each, until the next `reset`. All arrays returned are new.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "autoreset_mode": AutoresetMode.NEXT_STEP}  # noqa: RUF012
@@ -65,12 +77,11 @@ class Heli3DOFVectorEnv(VectorEnv):
         random_start: bool = False,
         render_mode: str | None = None,
         autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
+        max_episode_steps: int | None = None,
         dtype: str = "float64",
-        **unknown: Any,
     ) -> None:
-        if isinstance(num_envs, bool) or not isinstance(num_envs, int | np.integer) or num_envs < 1:
-            raise ValueError(f"num_envs = {num_envs!r}: must be a positive whole number")
-        num_envs = int(num_envs)
+        num_envs = _count("num_envs", num_envs)
+        self.max_steps = None if max_episode_steps is None else _count("max_episode_steps", max_episode_steps)
         if dtype not in ("float64", "float32"):
             raise ValueError(f"dtype = {dtype!r}: must be 'float64' or 'float32'")
         if render_mode not in (None, *self.metadata["render_modes"]):
@@ -86,9 +97,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         # One environment for each combination checks the arguments and knows the bounds.
         combinations = {(id(p), id(r)): (p, r) for p, r in zip(plants, references)}
         singles = [
-            Heli3DOFEnv(
-                *combination, control_period, pitch_limit, voltage_limits, start_spread_deg, random_start, **unknown
-            )
+            Heli3DOFEnv(*combination, control_period, pitch_limit, voltage_limits, start_spread_deg, random_start)
             for combination in combinations.values()
         ]
         single = singles[0]
@@ -109,111 +118,143 @@ class Heli3DOFVectorEnv(VectorEnv):
         self.all = np.ones(num_envs, bool)
         self.all.setflags(write=False)
         self.is_waiting = False  # whether any flight is over
-        self.generators = [np_random()[0] for _ in range(num_envs)]
+        generators, seeds = zip(*(seeded(None) for _ in range(num_envs)))
+        self.generators, self.seeds = list(generators), list(seeds)
+        self.flown = np.zeros(num_envs, int)  # steps of the present flights, where their number has a limit
         self.renderer: Renderer | None = None
+        self._spec: EnvSpec | None = None
 
     def reset(
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
     ) -> tuple[np.ndarray, dict[str, Any]]:
-        """To the starts of the references.
+        """Start episodes of all helicopters, or of some.
 
         Args:
             seed: of the first helicopter, the others counting on from there, or of each.
-            options: "state" (6,) or (N, 6) and "plant" as for `Heli3DOFEnv.reset`; "time" (N,) in s, when on their
-                references these flights start, and only these; "reset_mask" (N,), bool, tells which helicopters are
-                meant.
+            options: "state" (6,), or (N, 6) with NaN for starts as without it, and "plant", one for all or a sequence
+                of N, as for `Heli3DOFEnv.reset`; "time" (N,) in s, when on their references these flights start, and
+                only these; "reset_mask" (N,), bool, selects the helicopters.
 
         Raises:
-            ValueError: for a bad seed or option.
+            ValueError: for a bad seed or option. A refused reset changes nothing.
+            TypeError: for a mask that is no boolean array.
         """
-        options = dict(options or {})
-        mask = options.pop("reset_mask", self.all)
-        if not isinstance(mask, np.ndarray) or mask.dtype != bool or mask.shape != (self.num_envs,) or not mask.any():
-            raise ValueError(
-                f"options['reset_mask'] = {mask!r}: must be a boolean array ({self.num_envs},), at least one true"
-            )
-        unknown = set(options) - {"state", "plant", "time"}
-        if unknown:
-            raise ValueError(f"options = {options!r}: only 'state', 'plant', 'time' and 'reset_mask' are known")
-        if (not self.has_begun or "plant" in options) and not mask.all():
-            raise ValueError("options['reset_mask']: at the first reset, and where the plant changes, all are meant")
-        if seed is None:
-            seeds: list[int | None] = [None] * self.num_envs
-        elif isinstance(seed, int | np.integer):
-            seeds = [int(seed) + i for i in range(self.num_envs)]
-        else:
-            seeds = [None if one is None else int(one) for one in seed]
-        if len(seeds) != self.num_envs:
-            raise ValueError(f"seed = {seed!r}: must be a whole number, or one for each of {self.num_envs}")
+        known = checked_options(options, ("state", "plant", "time", "reset_mask"))
+        mask = self._mask(known["reset_mask"], known["plant"] is not None)
         helicopters = np.flatnonzero(mask)
-        times = None if options.get("time") is None else np.asarray(options["time"], float)
-        if times is not None and not (times.shape == (self.num_envs,) and np.isfinite(times).all()):
-            raise ValueError(f"options['time'] = {options['time']!r}: must be finite times ({self.num_envs},) in s")
+        chosen = helicopters.tolist()
+        times = known["time"] if known["time"] is None else real_array(known["time"])
+        if known["time"] is not None and (times is None or not self._are_finite(times, (self.num_envs,))):
+            raise ValueError(f"options['time'] = {known['time']!r}: must be finite times ({self.num_envs},) in s")
 
-        for i in helicopters.tolist():
-            if seeds[i] is not None:
-                self.generators[i] = np_random(seeds[i])[0]
-        simulation, plant = self.simulation, options.get("plant")
-        if mask.all():
-            simulation = self.own_simulation if plant is None else self._simulation([find_plant(plant)] * self.num_envs)
-        starts = [simulation.draw(i, self.generators[i]).x[:, 0] for i in helicopters.tolist()]
-        states = self._states(options.get("state"), helicopters, np.array(starts))
-        simulation.reset(helicopters, states, times)
+        fresh = self._seeded(seed, chosen)
+        generators = [fresh[i][0] if i in fresh else self.generators[i] for i in chosen]
+        simulation = self.simulation
+        if known["plant"] is not None:
+            simulation = self._simulation(
+                broadcast_to_envs("options['plant']", known["plant"], self.num_envs, find_plant)
+            )
+        elif mask.all():
+            simulation = self.own_simulation
+        with undone_on_error(simulation, [] if fresh else generators):
+            starts = [simulation.draw(i, generator).x[:, 0] for i, generator in zip(chosen, generators)]
+            states = self._states(known["state"], helicopters, np.array(starts))
+        for i, (generator, own_seed) in fresh.items():
+            self.generators[i], self.seeds[i] = generator, own_seed
+        if states is None:
+            simulation.reset(helicopters, None, times)
+        else:
+            given = ~np.isnan(states[helicopters, 0])
+            for part, values in ((helicopters[given], states), (helicopters[~given], None)):
+                simulation.reset(part, values, times)
         self.simulation = simulation
         if not self.has_begun or mask.all():
             self.over = np.zeros(self.num_envs, bool)
             self.has_begun = True
         observation, outputs = self.simulation.arrays()
         self.simulation.write_outputs(self.everyone, observation, outputs)
-        self.over[helicopters] = False
+        outputs[COMMAND : COMMAND + 2, helicopters] = 0.0  # commanded by nobody
+        self.over[helicopters], self.flown[helicopters] = False, 0
         self.is_waiting = bool(self.over.any())
-        info = self._info(outputs, mask.copy())
-        info["plant"], info["_plant"] = np.full(self.num_envs, None, object), mask.copy()
-        for i in helicopters.tolist():
-            info["plant"][i] = self.plant_of(i)
-        return observation, info
+        return observation, self._info(outputs, mask.copy(), np.zeros(self.num_envs, bool))
+
+    def _mask(self, mask: Any, plant_changes: bool) -> np.ndarray:
+        """The helicopters (N,) that a reset selects."""
+        if mask is None:
+            return self.all
+        must = f"options['reset_mask'] = {mask!r}: must be a boolean array ({self.num_envs},), at least one true"
+        if not isinstance(mask, np.ndarray) or mask.dtype != bool:
+            raise TypeError(must)
+        if mask.shape != (self.num_envs,) or not mask.any():
+            raise ValueError(must)
+        if (not self.has_begun or plant_changes) and not mask.all():
+            raise ValueError("options['reset_mask']: must select all at the first reset, and where the plant changes")
+        return mask
+
+    def _seeded(self, seed: Any, chosen: list[int]) -> dict[int, tuple[np.random.Generator, int]]:
+        """New generators, with their seeds, of those of the chosen helicopters that have a seed."""
+        if seed is None:
+            return {}
+        if isinstance(seed, int | np.integer):
+            seeded(seed)
+            seeds: list[Any] = [int(seed) + i for i in range(self.num_envs)]
+        elif isinstance(seed, list | tuple | np.ndarray):
+            seeds = list(seed)
+        else:
+            raise SeedError(f"seed = {seed!r}: must be a whole number, or one for each of {self.num_envs}")
+        if len(seeds) != self.num_envs:
+            raise ValueError(f"seed = {seed!r}: must be a whole number, or one for each of {self.num_envs}")
+        return {i: seeded(seeds[i]) for i in chosen if seeds[i] is not None}
 
     def step(self, actions: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
-        """One control period of all helicopters. Raises ValueError for actions that are not (N, 2) finite numbers."""
+        """Fly one control period of all helicopters.
+
+        Raises ValueError for actions that are not (N, 2) finite real numbers, which changes nothing.
+        """
         if not self.has_begun:
             raise gym.error.ResetNeeded("call reset before step")
         if type(actions) is not np.ndarray or actions.dtype.char not in "fd":
-            actions = np.asarray(actions, float)
+            values = real_array(actions)
+            if values is None:
+                raise ValueError(f"actions = {actions!r}: must be ({self.num_envs}, 2) finite real numbers")
+            actions = values
         if actions.shape != (self.num_envs, 2):
             raise ValueError(f"actions have shape {actions.shape}: must be ({self.num_envs}, 2)")
         mode, waiting = self.autoreset_mode, self.over
         if mode is AutoresetMode.DISABLED and self.is_waiting:
             raise gym.error.ResetNeeded(f"the episodes {np.flatnonzero(waiting)} are over: reset them before step")
         count, observation, outputs = self.simulation.step(actions)
+        if count == NOT_FINITE and np.isfinite(actions).all():  # too large for single precision: they saturate
+            count, observation, outputs = self.simulation.step(np.clip(actions, -1.0, 1.0))
         if count == NOT_FINITE:
-            bad = np.flatnonzero(~np.isfinite(actions.astype(self.dtype)).all(axis=1))
+            bad = np.flatnonzero(~np.isfinite(actions).all(axis=1))
             raise ValueError(f"actions[{bad[0]}] = {actions[bad[0]]}: must be two finite numbers")
 
-        flown = self.all
+        self.flown += 1
         if mode is AutoresetMode.NEXT_STEP and self.is_waiting:
-            flown = ~waiting
             self._begin(np.flatnonzero(waiting), observation, outputs)
+        if self.max_steps is not None and (late := self.flown >= self.max_steps).any():
+            outputs[TRUNCATED, late] = 1.0 - outputs[TERMINATED, late]
+            count += 1
         rewards = np.asarray(outputs[REWARD], float)
         if count:
             terminated, truncated = outputs[TERMINATED] > 0.0, outputs[TRUNCATED] > 0.0
-            self.over = terminated | truncated
+            self.over, is_success = terminated | truncated, outputs[SUCCEEDED] > 0.0
             rewards = rewards.copy()  # the next flight may start before this is returned
         else:
-            terminated, truncated, self.over = np.zeros((3, self.num_envs), bool)
-        info = self._info(outputs, self.all)
-        info["voltage"], info["cost"] = outputs[COMMAND : COMMAND + 2].T, outputs[COST]
-        info["_voltage"] = info["_cost"] = flown
+            terminated, truncated, self.over, is_success = np.zeros((4, self.num_envs), bool)
+        info = self._info(outputs, self.all, is_success)
         self.is_waiting = count > 0 and bool(self.over.any())
         if self.is_waiting:
             self._end(info, observation, outputs)
         return observation, rewards, terminated, truncated, info
 
     def reference_of(self, i: int) -> Trajectory:
-        """What the helicopter i is to follow in its flight."""
+        """Trajectory that the helicopter i tracks in its episode."""
         return self.simulation.reference_of(i)
 
     def plant_of(self, i: int) -> Plant:
-        """The plant that was drawn for the flight of the helicopter i."""
+        """Plant of the episode of the helicopter i."""
         if not self.has_begun:
             raise gym.error.ResetNeeded("nothing is drawn yet: call reset first")
         return self.simulation.drawn_plant(i)
@@ -235,6 +276,36 @@ class Heli3DOFVectorEnv(VectorEnv):
             self.renderer.close()
             self.renderer = None
 
+    @property
+    def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]
+        """Random generator of each helicopter."""
+        return tuple(self.generators)
+
+    @np_random.setter
+    def np_random(self, value: Sequence[np.random.Generator]) -> None:
+        generators = list(value) if isinstance(value, list | tuple) else []
+        if len(generators) != self.num_envs or not all(isinstance(one, np.random.Generator) for one in generators):
+            raise ValueError(f"np_random = {value!r}: must be {self.num_envs} random generators")
+        self.generators, self.seeds = generators, [-1] * self.num_envs
+
+    @property
+    def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
+        """Seed of each helicopter's random generator; -1 where it is unknown."""
+        return tuple(self.seeds)
+
+    @property
+    def spec(self) -> EnvSpec | None:  # type: ignore[override]
+        """Specification; `max_episode_steps` is the number of control periods of the longest maneuver."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, value: EnvSpec | None) -> None:
+        longest = max(task.control_steps(reference.duration, self.control_period) for reference in self.references)
+        self._spec = with_episode_steps(value, longest if self.max_steps is None else min(longest, self.max_steps))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**vars(self), "renderer": None}
+
     def _simulation(self, plants: Sequence[Plant]) -> Simulation:
         return Simulation(
             plants,
@@ -247,18 +318,22 @@ class Heli3DOFVectorEnv(VectorEnv):
             self.dtype,
         )
 
+    @staticmethod
+    def _are_finite(array: np.ndarray, shape: tuple[int, ...]) -> bool:
+        return array.shape == shape and bool(np.isfinite(array).all())
+
     def _states(self, value: Any, helicopters: np.ndarray, starts: np.ndarray) -> np.ndarray | None:
-        """The states (N, 6) that an option asks for, if it does; these helicopters' references start at (n, 6)."""
+        """The states (N, 6) of an option, rows of NaN where there is none; the references start at (n, 6)."""
         if value is None:
             return None
-        try:
-            states = np.array(np.broadcast_to(np.asarray(value, float), (self.num_envs, 6)))
-        except (TypeError, ValueError) as error:
-            raise ValueError(
-                f"options['state'] = {value!r}: must be finite numbers (6,) or ({self.num_envs}, 6)"
-            ) from error
-        near = (np.abs(states[helicopters] - starts) <= np.array(task.FARTHEST_START)).all()
-        if not near or task.crashed(states[helicopters, 4], self.pitch_limit).any():
+        array = real_array(value)
+        if array is None or array.shape not in ((6,), (self.num_envs, 6)):
+            raise ValueError(f"options['state'] = {value!r}: must be finite numbers (6,) or ({self.num_envs}, 6)")
+        states = np.array(np.broadcast_to(array, (self.num_envs, 6)))
+        own = states[helicopters]
+        own = np.where(np.isnan(own).all(axis=1)[:, None] & (array.ndim == 2), starts, own)
+        near = (np.abs(own - starts) <= np.array(task.FARTHEST_START)).all()
+        if not near or task.crashed(own[:, 4], self.pitch_limit).any():
             raise ValueError(
                 f"options['state'] = {value!r}: must be within 1 rad and 1 rad/s of the references' starts, and the "
                 f"pitch within {self.pitch_limit:g} rad"
@@ -266,14 +341,15 @@ class Heli3DOFVectorEnv(VectorEnv):
         return states
 
     def _begin(self, helicopters: np.ndarray, observation: np.ndarray, outputs: np.ndarray) -> None:
-        """New flights of these helicopters (n,), and what they observe and tell at first."""
+        """Start new flights of these helicopters (n,), and write their first observations and outputs."""
         for i in helicopters.tolist():
             self.simulation.draw(i, self.generators[i])
         self.simulation.reset(helicopters)
         self.simulation.write_outputs(helicopters, observation, outputs)
-        outputs[COMMAND : COMMAND + 2, helicopters] = 0.0  # nobody has asked for anything
+        outputs[COMMAND : COMMAND + 2, helicopters] = 0.0  # commanded by nobody
+        self.flown[helicopters] = 0
 
-    def _info(self, outputs: np.ndarray, mask: np.ndarray) -> dict[str, Any]:
+    def _info(self, outputs: np.ndarray, mask: np.ndarray, is_success: np.ndarray) -> dict[str, Any]:
         state = outputs[X : X + 6].T
         return {
             "state": state,
@@ -282,27 +358,37 @@ class Heli3DOFVectorEnv(VectorEnv):
             "_measurement": mask,
             "time": outputs[TIME],
             "_time": mask,
+            "voltage": outputs[COMMAND : COMMAND + 2].T,
+            "_voltage": mask,
+            "cost": outputs[COST],
+            "_cost": mask,
+            "is_success": is_success,
+            "_is_success": mask,
         }
 
     def _end(self, info: dict[str, Any], observation: np.ndarray, outputs: np.ndarray) -> None:
-        """Tells of flights that are over, and starts the next ones where that is the mode."""
+        """Add the last infos and observations of flights that are over, and start the next, where that is the mode."""
         over, ended = self.over.copy(), np.flatnonzero(self.over)
-        info["is_success"], info["_is_success"] = outputs[SUCCEEDED] > 0.0, over
         if self.autoreset_mode is not AutoresetMode.SAME_STEP:
             return
         final: dict[str, Any] = {}
         for name in ("state", "measurement", "time", "voltage", "cost", "is_success"):
             final[name], final[f"_{name}"] = np.zeros(info[name].shape, info[name].dtype), over
             final[name][ended] = info[name][ended]
-        del info["is_success"], info["_is_success"]
         info["final_info"], info["_final_info"] = final, over
         info["final_obs"], info["_final_obs"] = np.full(self.num_envs, None, object), over
         for i in ended:
             info["final_obs"][i] = observation[i].copy()
         self._begin(ended, observation, outputs)
-        info.update(self._info(outputs, self.all))
-        info["_voltage"] = info["_cost"] = ~over
+        info.update(self._info(outputs, self.all, np.zeros(self.num_envs, bool)))
         self.over, self.is_waiting = np.zeros(self.num_envs, bool), False
+
+
+def _count(name: str, value: Any) -> int:
+    """The value, if it is a positive whole number."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not 1 <= value <= MOST:
+        raise ValueError(f"{name} = {value!r}: must be a positive whole number, at most {MOST}")
+    return int(value)
 
 
 def broadcast_to_envs(name: str, value: Any, count: int, find: Callable) -> list:

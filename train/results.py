@@ -93,7 +93,7 @@ def oracle_metrics(env: Heli3DOFEnv, oracle: Oracle, args: Args, console: Consol
     for k in track(range(args.oracle), "the floor", console=console):
         _, info = env.reset(seed=args.seed + k)
         try:
-            policy = oracle.policy(info["plant"], info["state"], env.reference.u[:, 0], env.control_period)
+            policy = oracle.policy(env.drawn_plant, info["state"], env.reference.u[:, 0], env.control_period)
         except NoOptimum as error:
             console.print(f"seed {args.seed + k}, left out of the oracle's row: {error}")
             continue

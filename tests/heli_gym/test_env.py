@@ -158,6 +158,17 @@ def test_a_spec_survives_json_and_pickle():
         assert_same_flight(gym.make(spec), env)
 
 
+def test_an_environment_is_copied_after_a_picture_was_drawn():
+    pytest.importorskip("pygame")
+    env = gym.make("Heli3DOF-v0", render_mode="rgb_array")
+    env.reset(seed=0)
+    picture = env.render()
+    for other in (copy.deepcopy(env), pickle.loads(pickle.dumps(env.unwrapped))):
+        assert_array_equal(other.render(), picture)
+        other.close()
+    env.close()
+
+
 def test_an_environment_survives_pickle_and_copy_in_the_middle_of_a_flight():
     env = Heli3DOFEnv(start_spread_deg=5.0)
     episode(env, 0, actions(0, 50))
@@ -202,7 +213,7 @@ def test_the_docstring_describes_every_entry_of_the_observation_and_every_argume
     rows = re.findall(r"^\| (\d+)(?:-(\d+))? +\|", text.split("## Observation Space")[1].split("## Rewards")[0], re.M)
     assert [k for low, high in rows for k in range(int(low), int(high or low) + 1)] == list(range(n))
     described = re.findall(r"^- `(\w+)`:", text.split("## Arguments")[1].split("## Version")[0], re.M)
-    assert [*described, "unknown"] == list(inspect.signature(Heli3DOFEnv).parameters)
+    assert described == list(inspect.signature(Heli3DOFEnv).parameters)
 
 
 def packaged_samples() -> tuple[np.ndarray, np.ndarray]:
@@ -231,7 +242,18 @@ def test_info_holds_the_state_the_measurement_and_the_time():
         assert_array_equal(info["state"], info["measurement"])
         assert info["state"].shape == (6,)
         assert info["time"] == pytest.approx(0.02 * k)
-        assert ("voltage" in info, "cost" in info) == (k > 0, k > 0)
+        assert (info["voltage"] > 0.0).all() == (k > 0)
+
+
+def test_the_keys_of_info_are_always_the_same_and_its_values_numbers():
+    flight = episode(Heli3DOFEnv("lab"), 0, [(1.0, -1.0)] * 500)
+    keys = {"state", "measurement", "time", "voltage", "cost", "is_success"}
+    assert len(flight) > 2 and flight[-1][2]
+    for *_, info in flight:
+        assert set(info) == keys
+        assert all(np.issubdtype(np.asarray(value).dtype, np.number) or type(value) is bool for value in info.values())
+    assert_array_equal(flight[0][4]["voltage"], 0.0)
+    assert flight[0][4]["cost"] == 0.0
 
 
 def reward_by_the_docstring(error_deg, du, control_period):
@@ -277,8 +299,23 @@ def test_the_amplifier_saturates(action, voltage):
 
 @pytest.mark.parametrize(
     "action",
-    [(math.nan, 0.0), (0.0, math.inf), (0.0,), (0.0, 0.0, 0.0), 0.0, [[0.0, 0.0]], None, [[0.0, 0.0], [0.0]]],
-    ids=str,
+    [
+        (math.nan, 0.0),
+        (0.0, math.inf),
+        (0.0,),
+        (0.0, 0.0, 0.0),
+        0.0,
+        [[0.0, 0.0]],
+        None,
+        [[0.0, 0.0], [0.0]],
+        [10**400, 0.0],
+        ["0.1", "0.2"],
+        np.array([True, False]),
+        np.array([0.1, 0.2j]),
+        np.array(["0.1", "0.2"]),
+        np.array([[0.1], [0.2]], np.float32),
+    ],
+    ids=repr,
 )
 def test_an_action_that_is_not_two_finite_numbers_is_named_and_changes_nothing(action):
     env, untouched = Heli3DOFEnv(), Heli3DOFEnv()
@@ -298,7 +335,7 @@ def test_a_flight_is_truncated_when_the_maneuver_is_over(control_period, steps):
     flown = episode(env, 0, [(0.0, 0.0)] * (steps + 1))
     assert len(flown) == steps + 1
     assert (flown[-1][2], flown[-1][3]) == (False, True)
-    assert not any(truncated or "is_success" in info for _, _, _, truncated, info in flown[:-1])
+    assert not any(truncated or info["is_success"] for _, _, _, truncated, info in flown[:-1])
     assert flown[-1][4]["time"] == pytest.approx(steps * control_period)
     assert flown[-1][0][-1] == pytest.approx(0.0, abs=1e-6)  # no time remains
 
@@ -320,7 +357,7 @@ def test_success_is_told_at_the_end_and_takes_the_whole_maneuver_within_toleranc
     _, info = env.reset(options={"state": [0.05, 0.0, -0.05, 0.0, 0.1, 0.0]})
     truncated = False
     while not truncated:
-        assert "is_success" not in info
+        assert info["is_success"] is False
         u = policy(info["time"], info["measurement"])
         *_, truncated, info = env.step((u - 6.0) / 6.0)
     assert info["is_success"] is True
@@ -470,7 +507,13 @@ REFUSED = [
     ("start_spread_deg", math.nan),
     ("start_spread_deg", 60.0),
     ("render_mode", "holographic"),
-    ("colour", "red"),
+    ("control_period", 10**400),
+    ("pitch_limit", True),
+    ("voltage_limits", (0, 10**400)),
+    ("voltage_limits", (0.0, 1e300)),
+    ("random_start", 2),
+    ("reference", "a" * 300),
+    ("reference", Trajectory(np.array([0.0, 2e4]), np.zeros((6, 2)), np.full((2, 2), 7.0))),
 ]
 
 
@@ -478,6 +521,13 @@ REFUSED = [
 def test_a_bad_argument_is_named_with_its_value(name, value):
     with pytest.raises(ValueError, match=re.escape(f"{name} = {value!r}")):
         Heli3DOFEnv(**{name: value})
+
+
+@pytest.mark.parametrize("name", ["frameskip", "colour"])
+@pytest.mark.parametrize("make", [gym.make, gym.make_vec])
+def test_an_unknown_argument_is_a_type_error_as_pythons_own(make, name):
+    with pytest.raises(TypeError, match=f"got an unexpected keyword argument '{name}'"):
+        make("Heli3DOF-v0", **{name: 1})
 
 
 @pytest.mark.parametrize(
@@ -510,16 +560,61 @@ def test_a_reference_that_holds_no_trajectory_is_named(tmp_path):
         {"state": [0.0] * 5},
         {"state": [[0.0] * 6]},
         {"state": [[0.0] * 6, [0.0]]},
-        {"state": None},
+        5,
+        {"state": [10**400, *[0.0] * 5]},
+        {"plant": "moon"},
         {"state": [math.nan, *[0.0] * 5]},
         {"state": [1.001, *[0.0] * 5]},
         {"state": [*[0.0] * 5, -1.001]},
     ],
     ids=str,
 )
-def test_bad_options_are_named(options):
-    with pytest.raises(ValueError, match="options"):
-        Heli3DOFEnv().reset(options=options)
+def test_bad_options_are_named_and_change_nothing(options):
+    env, untouched = (Heli3DOFEnv("lab", EitherReference(), start_spread_deg=3.0) for _ in range(2))
+    for other in (env, untouched):
+        other.reset(seed=1)
+    for seed in (None, 2):
+        with pytest.raises(ValueError, match=r"options|plant = .moon."):
+            env.reset(seed=seed, options=options)
+        assert (env.drawn_plant, env.np_random_seed) == (untouched.drawn_plant, 1)
+        assert env.simulation.drawn_plant(0) == untouched.drawn_plant
+        assert_array_equal(env.step((0.1, 0.2))[0], untouched.step((0.1, 0.2))[0])
+    assert_array_equal(env.reset()[0], untouched.reset()[0])
+
+
+@pytest.mark.parametrize("seed", [-1, 1.5, "one", [1]])
+def test_bad_seeds_are_refused_in_gymnasiums_type_and_pythons(seed):
+    env = Heli3DOFEnv(start_spread_deg=3.0)
+    first = env.reset(seed=4)[0]
+    for error in (ValueError, gym.error.Error):
+        with pytest.raises(error, match="seed = "):
+            env.reset(seed=seed)
+    assert_array_equal(env.reset(seed=4)[0], first)
+
+
+def test_options_of_none_are_no_options():
+    env = Heli3DOFEnv(start_spread_deg=3.0)
+    first = env.reset(seed=4)[0]
+    assert_array_equal(env.reset(seed=4, options={"state": None, "plant": None})[0], first)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "steps"), [({}, 500), ({"control_period": 0.03}, 334), ({"reference": "travel-90-climb"}, 400)]
+)
+def test_the_spec_holds_the_steps_of_the_maneuver(arguments, steps):
+    env = gym.make("Heli3DOF-v0", **arguments)
+    assert env.spec.max_episode_steps == env.unwrapped.spec.max_episode_steps == steps
+    assert len(episode(env, 0, [(0.0, 0.0)] * 600)) == 1 + steps
+    assert gym.make_vec("Heli3DOF-v0", 2, **arguments).spec.max_episode_steps == steps
+    aware = gym.wrappers.TimeAwareObservation(env, normalize_time=True)
+    aware.reset()
+    assert aware.step(np.zeros(2, np.float32))[0][-1] == pytest.approx(1.0 / steps)
+
+
+def test_a_flight_may_be_limited_to_fewer_steps():
+    env = gym.make("Heli3DOF-v0", max_episode_steps=50)
+    assert env.spec.max_episode_steps == 50
+    assert len(episode(env, 0, [(0.0, 0.0)] * 600)) == 51
 
 
 def test_a_start_beyond_the_pitch_limit_is_refused():

@@ -233,9 +233,9 @@ def test_the_rigid_plant_draws_both_variants_and_the_drag_ratio():
 def test_same_seed_same_flight_and_another_seed_another(name):
     def flight(seed):
         env = gym.make("heli_gym:Heli3DOF-v0", plant=name)
-        _, info = env.reset(seed=seed)
+        env.reset(seed=seed)
         observations = [env.step(np.array([0.3, 0.32], np.float32))[0] for _ in range(50)]
-        return info["plant"], np.array(observations)
+        return env.unwrapped.drawn_plant, np.array(observations)
 
     (plant, first), (again, second), (other, third) = flight(1), flight(1), flight(2)
     assert plant == again != other
@@ -246,9 +246,12 @@ def test_same_seed_same_flight_and_another_seed_another(name):
 def test_reset_can_set_the_plant_of_one_episode():
     env = gym.make("heli_gym:Heli3DOF-v0", plant="lab")
     faulty = Plant(disturbances=(RotorFault("back", 0.5),))
-    assert env.reset(seed=0, options={"plant": faulty})[1]["plant"] == faulty
-    assert env.reset(seed=0, options={"plant": "nominal"})[1]["plant"] == PLANTS["nominal"]
-    assert env.reset(seed=0)[1]["plant"].rotors.delay == 1
+    env.reset(seed=0, options={"plant": faulty})
+    assert env.unwrapped.drawn_plant == faulty
+    env.reset(seed=0, options={"plant": "nominal"})
+    assert env.unwrapped.drawn_plant == PLANTS["nominal"]
+    env.reset(seed=0)
+    assert env.unwrapped.drawn_plant.rotors.delay == 1
 
 
 @pytest.mark.parametrize(
@@ -310,7 +313,10 @@ def test_whatever_may_be_a_range_is_drawn_and_flown():
         ),
     )
     env = gym.make("heli_gym:Heli3DOF-v0", plant=plant)
-    draws = [env.reset(seed=seed)[1]["plant"] for seed in range(5)]
+    draws = []
+    for seed in range(5):
+        env.reset(seed=seed)
+        draws.append(env.unwrapped.drawn_plant)
     for _ in range(20):
         env.step(np.array([0.3, 0.3], np.float32))
     assert len({draw.parameters.b1 for draw in draws}) == 5

@@ -113,9 +113,9 @@ def test_without_any_optimum_the_oracle_has_no_row(tmp_path, monkeypatch):
 def test_a_solver_that_gives_up_says_so():
     env = Heli3DOFEnv("lab", "climb-7.5", 0.05)
     oracle = Oracle(env.plant, env.reference, env.control_period, env.voltage_limits, env.pitch_limit)
-    _, info = env.reset(seed=0)
+    env.reset(seed=0)
     with pytest.raises(NoOptimum, match=r"no optimal voltages for .*: Invalid_Number_Detected"):
-        oracle.policy(info["plant"], np.full(6, np.nan), env.reference.u[:, 0], env.control_period)
+        oracle.policy(env.drawn_plant, np.full(6, np.nan), env.reference.u[:, 0], env.control_period)
 
 
 @pytest.mark.parametrize("plant", ["lab", "rigid"])
@@ -124,7 +124,7 @@ def test_the_oracle_flies_what_it_planned_and_no_policy_does_better(plant):
     reference = env.reference
     oracle = Oracle(env.plant, reference, env.control_period, env.voltage_limits, env.pitch_limit)
     _, info = env.reset(seed=5)
-    policy = oracle.policy(info["plant"], info["state"], reference.u[:, 0], env.control_period)
+    policy = oracle.policy(env.drawn_plant, info["state"], reference.u[:, 0], env.control_period)
 
     def cost(flight):
         degrees = np.degrees(flight.x[[0, 2], 1:] - oracle.x_ref[[0, 2], 1 : flight.x.shape[1]])
