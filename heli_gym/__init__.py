@@ -8,9 +8,26 @@ from gymnasium import register
 
 from heli_gym.model import dynamics, linearise, thrust, voltage
 from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.rig import Masses, Rig, find_rig
+from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustMap
 from heli_gym.trajectory import Maneuver, Trajectory
 
-__all__ = ["HelicopterParameters", "Limits", "Maneuver", "Trajectory", "dynamics", "linearise", "thrust", "voltage"]
+__all__ = [
+    "HelicopterParameters",
+    "Limits",
+    "Maneuver",
+    "Masses",
+    "PowerCurve",
+    "Rig",
+    "TableCurve",
+    "ThrustMap",
+    "Trajectory",
+    "dynamics",
+    "find_rig",
+    "linearise",
+    "thrust",
+    "voltage",
+]
 
 register(
     id="Heli3DOF-v0",

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from heli_gym.parameters import HelicopterParameters
 
+TINY = 1e-30  # V, too little to change any voltage: keeps the sign of 0 V finite
 STATE_NAMES = ("travel", "travel rate", "elevation", "elevation rate", "pitch", "pitch rate")
 
 
@@ -28,7 +29,21 @@ def thrust(u: Any, parameters: HelicopterParameters = HelicopterParameters()) ->
 def voltage(f: ArrayLike, parameters: HelicopterParameters = HelicopterParameters()) -> Any:
     """The inverse of (2): voltages u in V at which the fans thrust f in N, element by element."""
     f = np.asarray(f, dtype=float)
-    return np.sign(f) * np.sqrt(f / np.where(f >= 0.0, parameters.k_plus, parameters.k_minus))
+    k = np.where(f >= 0.0, parameters.k_plus, parameters.k_minus)
+    # without backward thrust, k_minus = 0, a negative thrust gets 0 V
+    ratio = np.divide(f, k, out=np.zeros(np.broadcast(f, k).shape), where=k != 0.0)
+    return np.sign(f) * np.sqrt(ratio)
+
+
+def power_thrust(u: Any, k_plus: Any, k_minus: Any, exponent: Any, dead_zone: Any) -> Any:
+    """Thrust in N of a rotor at the voltage u in V: k_plus or k_minus (N/V^exponent) times (|u| - dead_zone)^exponent.
+
+    Generalises (2): exponent 2 without a dead zone is that, exponent 1 a linear map. Free of branches, for the kernels.
+    """
+    excess = abs(u) - dead_zone
+    magnitude = (0.5 * (excess + abs(excess))) ** exponent
+    direction = u / (abs(u) + TINY)
+    return 0.5 * ((k_plus + k_minus) + (k_plus - k_minus) * direction) * magnitude
 
 
 def virtual_input(f: Any) -> tuple:

@@ -15,6 +15,7 @@ from heli_gym.parameters import HelicopterParameters, Scalar
 from heli_gym.storage import atomic_write
 
 VARIANTS = ("A", "B")
+LEVEL = 1e-14  # relative, of a moment of inertia: squared heights below it are rounding
 MODELS = Path(__file__).parent / "models"
 
 
@@ -74,6 +75,8 @@ def solve_rigid_body(
     # D22 = m_c (l_c² + d_c²) + m_h (l_h² + (e_h - d_h)²), with m_h (e_h - d_h) = up + m_c d_c
     rest = D22 - m_c * l_c**2 - m_h * l_h**2
     discriminant = up**2 - (m_h + m_c) * (up**2 - m_h * rest) / m_c
+    # zero but for rounding, where hinge and counterweight are level with the arm
+    discriminant = discriminant * (abs(discriminant) > LEVEL * (m_h + m_c) * m_h * D22 / m_c)
     if not np.all((m_c > 0.0) & (r2 > 0.0) & (discriminant >= 0.0)):
         raise ValueError(
             f"{p}: no rig with {l_h = }, {l_p = }, {l_c = } m and {g = } m/s² has these coefficients; "

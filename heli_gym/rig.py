@@ -1,0 +1,566 @@
+"""A rig: the coefficients of (3), thrust map, amplifier, sensors; a value that plans, policies and results carry.
+
+A rig is a TOML file, in one of two forms: with the coefficients of (3), or with the masses and lengths that they follow
+from. `docs/rigs.md` describes both. Packaged rigs are in the folder `rigs`.
+"""
+
+import math
+import os
+import re
+import tomllib
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import tomli_w
+
+from heli_gym import model
+from heli_gym.model import hover_input
+from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.rigid_body import solve_rigid_body
+from heli_gym.storage import atomic_write
+from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustCurve, ThrustMap, is_number, require
+
+RIGS = Path(__file__).parent / "rigs"
+TABLE_I = HelicopterParameters()
+GRAVITY = 9.81  # m/s²
+COEFFICIENTS = ("a1", "a2", "a3", "b1", "b2", "b3", "c1", "c2", "c3")
+RESERVE = 1.0 / 12.0  # share of the amplifier's range that planned flights leave at each end, as (9) does of 0 to 12 V
+PITCH_SHARE = 5.0 / 8.0  # share of the pitch limit that planned flights use, as (9) does of 80 degrees
+
+
+class Masses(NamedTuple):
+    """Masses and lengths of a rig, from which the coefficients of (3) follow; see `coefficients_from_masses`."""
+
+    body: float  # kg, all that pitches: rotors, motors, frame
+    counterweight: float  # kg
+    arm: float  # m, from the travel axis to the pitch axis
+    counterweight_arm: float  # m, from the travel axis to the counterweight
+    rotor_arm: float  # m, from the pitch axis to a rotor
+    gyration_radius: float | None = None  # m, of the body about the pitch axis; None: all of its mass is at the rotors
+    body_drop: float = 0.0  # m, centre of mass of the body below the pitch axis
+    counterweight_drop: float = 0.0  # m, counterweight below the arm
+    hinge_height: float = 0.0  # m, pitch axis above the arm
+    gravity: float = GRAVITY  # m/s²
+    c1: float = 0.0  # 1/s, viscous friction of travel
+    c2: float = 0.0  # 1/s, of elevation
+    c3: float = 0.0  # 1/s, of pitch
+
+
+def coefficients_from_masses(masses: Masses) -> dict[str, float]:
+    """The coefficients of (3) of a rig with these masses and lengths.
+
+    With m and M the masses of body and counterweight, l, L and p the arms of body, counterweight and rotors, r the
+    radius of gyration, d, D and e the drops of body and counterweight and the height of the hinge, the inertias are
+
+        J1 = M L² + m (l² + r²),   J2 = M (L² + D²) + m (l² + (e - d)²),   J3 = m (r² + d²)
+
+    and a1 = g (m (e - d) - M D) / J2, a2 = g (m l - M L) / J2, a3 = -g m d / J3, b1 = -l / J1, b2 = -l / J2,
+    b3 = p / J3: the rigid body of `heli_gym.rigid_body` about level hover, each axis on its own.
+
+    Raises ValueError for masses or lengths that are not positive, or values that are not finite.
+    """
+    for name, value in masses._asdict().items():
+        if name == "gyration_radius" and value is None:
+            continue
+        positive = name in ("body", "counterweight", "arm", "counterweight_arm", "rotor_arm", "gravity")
+        if positive or name == "gyration_radius":
+            unit = {"body": "kg", "counterweight": "kg", "gravity": "m/s²"}.get(name, "m")
+            require(f"masses.{name}", value, is_number(value) and value > 0.0, f"a positive number of {unit}")
+        else:
+            require(f"masses.{name}", value, True, "a number")
+    m, M, l, L, p, radius, d, D, e, g, c1, c2, c3 = masses  # noqa: E741
+    r = p if radius is None else radius
+    J1, J2, J3 = M * L**2 + m * (l**2 + r**2), M * (L**2 + D**2) + m * (l**2 + (e - d) ** 2), m * (r**2 + d**2)
+    return {
+        "a1": g * (m * (e - d) - M * D) / J2,
+        "a2": g * (m * l - M * L) / J2,
+        "a3": 0.0 - g * m * d / J3,
+        "b1": -l / J1,
+        "b2": -l / J2,
+        "b3": p / J3,
+        "c1": c1,
+        "c2": c2,
+        "c3": c3,
+    }
+
+
+@dataclass(frozen=True)
+class Rig:
+    """What is known of a rig. Angles in rad, elevation positive down; voltages and thrusts are (front, back).
+
+    Args:
+        name: what the rig is called.
+        parameters: the coefficients of (3). Those of the thrust map (2) in them are the `thrust_map`'s where that is
+            (2), and zero where it is not.
+        thrust_map: curves of both rotors; by default (2) with the parameters' coefficients.
+        voltage_limits: (min, max) in V of the amplifiers.
+        pitch_limit: rad, where a flight ends: the stop of the pitch axis.
+        table_elevation: rad, where the body rests before take-off.
+        encoder_counts: per revolution of travel, elevation and pitch.
+        sample_time: s, of the rig's own controllers.
+        lag: s, nominal, first order, of the rotor speed behind the voltage.
+        delay: s, nominal, from a measurement to the voltage that answers it.
+        sensor_signs: +1 or -1, and
+        sensor_zeros: rad, of travel, elevation and pitch: angle = sign * (sensor's angle - zero).
+        limits: what planned flights may use; by default all but a reserve of voltages and pitch in the proportions
+            of (9).
+        source: where the numbers are from.
+
+    Raises:
+        ValueError: names the field, its value and what is allowed, if a value makes no sense, if values contradict each
+            other, or if the rig cannot hover.
+    """
+
+    name: str
+    parameters: HelicopterParameters = TABLE_I
+    thrust_map: ThrustMap = None  # type: ignore[assignment]
+    voltage_limits: tuple[float, float] = (0.0, 12.0)
+    pitch_limit: float = math.radians(80.0)
+    table_elevation: float = math.radians(27.5)
+    encoder_counts: tuple[int, int, int] = (8192, 4096, 4096)
+    sample_time: float = 0.001
+    lag: float = 0.1
+    delay: float = 0.02
+    sensor_signs: tuple[int, int, int] = (1, 1, 1)
+    sensor_zeros: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    limits: Limits = None  # type: ignore[assignment]
+    source: str = field(default="", compare=False)
+
+    def __post_init__(self) -> None:
+        for name in ("name", "source"):
+            if not isinstance(getattr(self, name), str):
+                raise ValueError(f"{name} = {getattr(self, name)!r}: must be text")
+        p = self.parameters
+        if not isinstance(p, HelicopterParameters):
+            raise ValueError(f"parameters = {p!r}: must be HelicopterParameters")
+        if self.thrust_map is None:
+            curve = PowerCurve(p.k_plus, p.k_minus)
+            self._set("thrust_map", ThrustMap(curve, curve))
+        if not isinstance(self.thrust_map, ThrustMap):
+            raise ValueError(f"thrust_map = {self.thrust_map!r}: must be a ThrustMap")
+        self.thrust_map.check("thrust_map")
+        k_plus, k_minus = self.thrust_map.front[:2] if self.thrust_map.is_quadratic else (0.0, 0.0)  # type: ignore
+        self._set("parameters", p._replace(k_plus=float(k_plus), k_minus=float(k_minus)))
+        for name in COEFFICIENTS:
+            value = getattr(p, name)
+            if name.startswith("b"):
+                require(f"parameters.{name}", value, value != 0.0, "a number other than 0")
+            elif name.startswith("c"):
+                require(f"parameters.{name}", value, is_number(value) and value >= 0.0, "a number, at least 0")
+            else:
+                require(f"parameters.{name}", value, True, "a number")
+        self._check_actuator()
+        self._check_sensors()
+        self._check_limits()
+
+    def _set(self, name: str, value: Any) -> None:
+        object.__setattr__(self, name, value)
+
+    def _triple(self, name: str, what: str, allowed: Any = lambda value: True, kind: type = float) -> None:
+        values = getattr(self, name)
+        if not isinstance(values, tuple | list) or len(values) != 3:
+            raise ValueError(f"{name} = {values!r}: must be {what}, of travel, elevation and pitch")
+        for value in values:
+            require(name, value, is_number(value) and allowed(value), f"{what}, of travel, elevation and pitch")
+        self._set(name, tuple(kind(value) for value in values))
+
+    def _check_actuator(self) -> None:
+        limits = self.voltage_limits
+        if not isinstance(limits, tuple | list) or len(limits) != 2 or not all(map(is_number, limits)):
+            raise ValueError(f"voltage_limits = {limits!r}: must be two finite numbers (min, max) in V")
+        low, high = (float(value) for value in limits)
+        if not (-1000.0 <= low < high <= 1000.0):
+            raise ValueError(f"voltage_limits = {limits!r}: must be (min, max) in V with -1000 <= min < max <= 1000")
+        self._set("voltage_limits", (low, high))
+        for name in ("lag", "delay"):
+            value = getattr(self, name)
+            require(name, value, is_number(value) and 0.0 <= value <= 10.0, "at least 0 and at most 10 s")
+            self._set(name, float(value))
+
+    def _check_sensors(self) -> None:
+        self._triple("encoder_counts", "positive whole numbers", lambda value: value >= 1 and value == int(value), int)
+        self._triple("sensor_signs", "three of 1 and -1", lambda value: value in (1, -1), int)
+        self._triple("sensor_zeros", "three numbers in rad")
+        value = self.sample_time
+        require("sample_time", value, is_number(value) and 0.0 < value <= 1.0, "more than 0 and at most 1 s")
+
+    def _check_limits(self) -> None:
+        value = self.pitch_limit
+        allowed = is_number(value) and 0.0 < value < math.pi / 2
+        require("pitch_limit", value, allowed, "more than 0 and less than pi/2 rad")
+        value = self.table_elevation
+        allowed = is_number(value) and abs(value) < math.pi / 2
+        require("table_elevation", value, allowed, "more than -pi/2 and less than pi/2 rad")
+        low, high = self.voltage_limits
+        if self.limits is None:
+            reserve, pitch = RESERVE * (high - low), PITCH_SHARE * self.pitch_limit
+            self._set("limits", Limits(low + reserve, high - reserve, -pitch, pitch))
+        if not isinstance(self.limits, Limits):
+            raise ValueError(f"limits = {self.limits!r}: must be Limits")
+        if not low <= self.limits.u_min < self.limits.u_max <= high:
+            raise ValueError(
+                f"limits = {self.limits}: must be within the amplifier's voltage_limits, {low:g} to {high:g} V"
+            )
+        if max(self.limits.pitch_max, -self.limits.pitch_min) > self.pitch_limit:
+            raise ValueError(
+                f"limits = {self.limits}: must be within pitch_limit = {math.degrees(self.pitch_limit):g} deg"
+            )
+        for name, window in (("voltage_limits", self.voltage_limits), ("limits", self.limits.u)):
+            least, most = self.thrust_bounds(window)
+            lift = float(hover_input(0.0, self.parameters)[0])
+            if not 2.0 * least < lift < 2.0 * most:
+                raise ValueError(
+                    f"{name} = {window[0]:g} to {window[1]:g} V: must permit hover, which takes a thrust of "
+                    f"{0.5 * lift:.4g} N of each rotor by a2 = {self.parameters.a2:g} and b2 = {self.parameters.b2:g}, "
+                    f"and the thrust map gives {least:.4g} to {most:.4g} N"
+                )
+
+    # Thrust and voltage
+
+    def thrust(self, u: Any) -> Any:
+        """Thrusts (2, ...) in N of the rotors at the voltages u (2, ...) in V, (front, back)."""
+        if self.thrust_map.is_quadratic:
+            return model.thrust(np.asarray(u, dtype=float), self.parameters)
+        return np.stack((self.thrust_map.front.thrust(u[0]), self.thrust_map.back.thrust(u[1])))
+
+    def voltage(self, f: Any) -> Any:
+        """The inverse: voltages (2, ...) in V at which the rotors thrust f (2, ...) in N."""
+        if self.thrust_map.is_quadratic:
+            return model.voltage(np.stack(f) if isinstance(f, tuple) else f, self.parameters)
+        return np.stack((self.thrust_map.front.voltage(f[0]), self.thrust_map.back.voltage(f[1])))
+
+    def thrust_slope(self, u: Any) -> Any:
+        """Slopes (2, ...) in N/V of the thrust map at the voltages u (2, ...) in V."""
+        return np.stack((self.thrust_map.front.slope(u[0]), self.thrust_map.back.slope(u[1])))
+
+    def thrust_bounds(self, window: tuple[float, float]) -> tuple[float, float]:
+        """Least and greatest thrust in N that both rotors give within a window of voltages (min, max) in V."""
+        low, high = self.thrust(np.array(window) * np.ones((2, 1))).T
+        return float(low.max()), float(high.min())
+
+    def hover_voltage(self, elevation: float = 0.0) -> np.ndarray:
+        """Voltages (2,) in V that hold the rig at rest at an elevation in rad; NaN where none do."""
+        return self.voltage(0.5 * hover_input(elevation, self.parameters)[0] * np.ones(2))
+
+    # Other forms
+
+    @classmethod
+    def from_masses(cls, name: str, masses: Masses | None = None, **values: Any) -> "Rig":
+        """A rig from masses and lengths: `Masses`, or its fields by name, and other fields of `Rig` by name.
+
+        Raises ValueError as `Rig` does, TypeError for an unknown name.
+        """
+        if masses is None:
+            masses = Masses(**{key: values.pop(key) for key in Masses._fields if key in values})
+        parameters = values.pop("parameters", HelicopterParameters())._replace(**coefficients_from_masses(masses))
+        return cls(name, parameters, **values)
+
+    def masses(
+        self, arm: float, counterweight_arm: float, rotor_arm: float, gravity: float = GRAVITY, variant: str = "A"
+    ) -> Masses:
+        """Masses and lengths with which the coefficients of (3) are this rig's: the inverse of `from_masses`.
+
+        The arms, in m, have to be known. Of the two solutions for the heights, variant "A" has the pitch axis above the
+        arm, and "B" below it; see `rigid_body.solve_rigid_body`. Raises ValueError if there are none.
+        """
+        p = self.parameters
+        body = solve_rigid_body(variant, p, l_h=arm, l_p=rotor_arm, l_c=counterweight_arm, g=gravity)
+        return Masses(
+            body=body.m_h,
+            counterweight=body.m_c,
+            arm=arm,
+            counterweight_arm=counterweight_arm,
+            rotor_arm=rotor_arm,
+            gyration_radius=body.r,
+            body_drop=body.d_h,
+            counterweight_drop=body.d_c,
+            hinge_height=body.e_h,
+            gravity=gravity,
+            c1=p.c1,
+            c2=p.c2,
+            c3=p.c3,
+        )
+
+    # Files
+
+    @classmethod
+    def load(cls, path: str | os.PathLike) -> "Rig":
+        """Read a rig from a TOML file, in either form.
+
+        Raises OSError if it cannot be read, ValueError if a key is missing or unknown, with its line, or a value bad.
+        """
+        data = Path(path).read_bytes()
+        try:
+            return cls.from_toml(data.decode())
+        except ValueError as error:
+            raise ValueError(f"{str(path)!r}: {error}") from error
+
+    @classmethod
+    def from_toml(cls, text: str) -> "Rig":
+        """The rig that `load` would read from this text."""
+        return cls(**_RigFile(text).rig_fields())
+
+    def save(self, path: str | os.PathLike) -> None:
+        """Write the rig to a TOML file, atomically, with its coefficients; `load` returns the same rig."""
+        path = Path(path)
+        if path.suffix != ".toml":
+            raise ValueError(f"path = {str(path)!r}: must end in .toml")
+        with atomic_write(path) as file:
+            file.write(self.to_toml().encode())
+
+    def to_toml(self) -> str:
+        """The text that `save` writes."""
+        fronts, backs = self.thrust_map.front, self.thrust_map.back
+        thrust = (
+            _curve_table(fronts) if fronts == backs else {"front": _curve_table(fronts), "back": _curve_table(backs)}
+        )
+        limits: dict[str, Any] = {"u_min": self.limits.u_min, "u_max": self.limits.u_max}
+        limits |= _angle("pitch_min", self.limits.pitch_min) | _angle("pitch_max", self.limits.pitch_max)
+        tables: dict[str, Any] = {"name": self.name, "source": self.source}
+        tables |= _angle("pitch_limit", self.pitch_limit) | _angle("table_elevation", self.table_elevation)
+        tables["coefficients"] = {name: float(getattr(self.parameters, name)) for name in COEFFICIENTS}
+        tables["thrust"] = thrust
+        tables["actuator"] = {"voltage_limits": list(self.voltage_limits), "lag": self.lag, "delay": self.delay}
+        tables["sensors"] = {
+            "encoder_counts": list(self.encoder_counts),
+            "sample_time": float(self.sample_time),
+            "signs": list(self.sensor_signs),
+            "zeros": list(map(float, self.sensor_zeros)),
+        }
+        tables["limits"] = limits
+        return tomli_w.dumps(tables)
+
+    def differences(self, other: "Rig") -> list[str]:
+        """What sets another rig apart, for messages: one entry a field, with both values."""
+        found = []
+        for f in fields(self):
+            mine, theirs = getattr(self, f.name), getattr(other, f.name)
+            if f.name in ("name", "source", "limits") or mine == theirs:
+                continue
+            if f.name == "parameters":
+                pairs = zip(HelicopterParameters._fields, mine, theirs)
+                found += [f"{key} {a:g} and {b:g}" for key, a, b in pairs if a != b and key in COEFFICIENTS]
+            elif f.name == "thrust_map":
+                found.append(f"thrust map {_describe(mine)} and {_describe(theirs)}")
+            else:
+                found.append(f"{f.name} {_plain(mine)} and {_plain(theirs)}")
+        return found
+
+    def __str__(self) -> str:
+        return self.name
+
+
+def same_dynamics(one: Rig, other: Rig) -> bool:
+    """Whether two rigs have the same coefficients and thrust map, whatever they are called."""
+    return one.parameters == other.parameters and one.thrust_map == other.thrust_map
+
+
+PAPER = Rig("paper", limits=Limits(), source="Kiefer, Graichen, Kugi (2010), Table I and (9)")
+
+
+def rig_of(parameters: HelicopterParameters, limits: Limits | None = None) -> Rig:
+    """The paper's rig with other parameters, for callers that know no more than these."""
+    if parameters == PAPER.parameters:
+        return PAPER
+    return Rig("unnamed", parameters, **({} if limits is None else {"limits": limits}))  # type: ignore[arg-type]
+
+
+def rig_names() -> list[str]:
+    """The names of the packaged rigs."""
+    return sorted(path.stem for path in RIGS.glob("*.toml"))
+
+
+def find_rig(rig: "str | os.PathLike | Rig") -> Rig:
+    """A rig by the name of a packaged one, by the path of a .toml file, or the rig itself.
+
+    Raises ValueError for an unknown name, a file that does not exist, or one that describes no rig.
+    """
+    if isinstance(rig, Rig):
+        return rig
+    if not isinstance(rig, str | os.PathLike):
+        raise ValueError(f"rig = {rig!r}: must be a Rig, a name or the path of a .toml file")
+    is_path = str(rig).endswith(".toml")
+    if not is_path and str(rig) not in rig_names():
+        names = ", ".join(map(repr, rig_names()))
+        raise ValueError(f"rig = {str(rig)!r}: must be a Rig, the path of a .toml file or one of {names}")
+    path = Path(rig) if is_path else RIGS / f"{rig}.toml"
+    if not path.is_file():
+        raise ValueError(f"rig = {str(rig)!r}: there is no such file")
+    try:
+        return Rig.load(path)
+    except ValueError as error:
+        raise ValueError(f"rig = {error}") from error
+
+
+# Reading a file
+
+
+TABLES = ("coefficients", "masses", "thrust", "actuator", "sensors", "limits")
+TOP = ("name", "source", "pitch_limit", "pitch_limit_deg", "table_elevation", "table_elevation_deg")
+
+
+class _RigFile:
+    """The text of a rig's file, which knows the lines of its keys."""
+
+    def __init__(self, text: str) -> None:
+        self.lines = text.splitlines()
+        try:
+            self.data = tomllib.loads(text)
+        except tomllib.TOMLDecodeError as error:  # says where
+            raise ValueError(f"no TOML: {error}") from error
+
+    def line(self, key: str, table: str = "") -> int:
+        """In which line, from 1 on, a key of a table is set; that of the table's heading if it is not there."""
+        current, heading = "", 1
+        for number, line in enumerate(self.lines, 1):
+            title = re.match(r"\s*\[+\s*([^\]]+?)\s*\]+", line)
+            if title:
+                current = title[1].replace(" ", "").replace('"', "")
+                if current == table:
+                    heading = number
+                if not table and current.split(".")[0] == key:
+                    return number
+                if f"{table}.{key}".lstrip(".") == current:
+                    return number
+            elif current == table and re.match(rf"""\s*["']?{re.escape(key)}["']?\s*[=.]""", line):
+                return number
+        return heading
+
+    def table(self, name: str, known: tuple[str, ...], required: tuple[str, ...], where: Any = None) -> dict[str, Any]:
+        """A table; raises ValueError for keys that are missing or unknown."""
+        data = self.data[name] if where is None else where
+        if not isinstance(data, dict):
+            raise ValueError(f"line {self.line(name)}: {name} = {data!r}: must be a table, [{name}]")
+        for key in data:
+            if key not in known:
+                raise ValueError(
+                    f"line {self.line(key, name)}: unknown key {key!r} in [{name}]; must be one of {', '.join(known)}"
+                )
+        for key in required:
+            if key not in data:
+                raise ValueError(f"line {self.line('', name)}: [{name}] lacks the key {key!r}")
+        return data
+
+    def angle(self, data: dict[str, Any], key: str, table: str = "") -> float | None:
+        """A key in rad, or in degrees with `_deg` at its end."""
+        in_degrees = f"{key}_deg"
+        if key in data and in_degrees in data:
+            raise ValueError(f"line {self.line(in_degrees, table)}: {in_degrees!r}: must not stand beside {key!r}")
+        if in_degrees in data:
+            value = data[in_degrees]
+            require(f"line {self.line(in_degrees, table)}: {in_degrees}", value, True, "a number of degrees")
+            return math.radians(value)
+        return data.get(key)
+
+    def rig_fields(self) -> dict[str, Any]:
+        """The arguments of `Rig`."""
+        for key in self.data:
+            if key not in TABLES + TOP:
+                raise ValueError(
+                    f"line {self.line(key)}: unknown key {key!r}; must be one of {', '.join(TOP)}, "
+                    f"or a table of {', '.join(TABLES)}"
+                )
+        for key in ("name", "thrust"):
+            if key not in self.data:
+                raise ValueError(f"line 1: the file lacks the {'table' if key in TABLES else 'key'} {key!r}")
+        given = [name for name in ("coefficients", "masses") if name in self.data]
+        if len(given) != 1:
+            line = self.line(given[1]) if given else 1
+            raise ValueError(f"line {line}: the file must have one of the tables 'coefficients' and 'masses'")
+        found: dict[str, Any] = {"name": self.data["name"], "source": self.data.get("source", "")}
+        if given == ["coefficients"]:
+            coefficients = self.table("coefficients", COEFFICIENTS, COEFFICIENTS[:6])
+        else:
+            required = tuple(name for name in Masses._fields if name not in Masses._field_defaults)
+            coefficients = coefficients_from_masses(Masses(**self.table("masses", Masses._fields, required)))
+        for key, value in coefficients.items():
+            require(f"line {self.line(key, given[0])}: {key}", value, True, "a number")
+        found["parameters"] = HelicopterParameters()._replace(**{k: float(v) for k, v in coefficients.items()})
+        found["thrust_map"] = self.thrust_map()
+        for key in ("pitch_limit", "table_elevation"):
+            found[key] = self.angle(self.data, key)
+        if "actuator" in self.data:
+            actuator = self.table("actuator", ("voltage_limits", "lag", "delay"), ())
+            found |= actuator | {"voltage_limits": _as_tuple(actuator.get("voltage_limits"))}
+        if "sensors" in self.data:
+            sensors = self.table("sensors", ("encoder_counts", "sample_time", "signs", "zeros", "zeros_deg"), ())
+            found |= {key: _as_tuple(sensors.get(key)) for key in ("encoder_counts", "sample_time")}
+            found["sensor_signs"] = _as_tuple(sensors.get("signs"))
+            if "zeros_deg" in sensors:
+                zeros = sensors["zeros_deg"]
+                for value in zeros if isinstance(zeros, list) else [zeros]:
+                    require(f"line {self.line('zeros_deg', 'sensors')}: zeros_deg", value, True, "numbers of degrees")
+                found["sensor_zeros"] = tuple(map(math.radians, zeros))
+            else:
+                found["sensor_zeros"] = _as_tuple(sensors.get("zeros"))
+        if "limits" in self.data:
+            angles = ("pitch_min", "pitch_max")
+            known = ("u_min", "u_max", *angles, *(f"{key}_deg" for key in angles))
+            limits = self.table("limits", known, ("u_min", "u_max"))
+            values = {key: self.angle(limits, key, "limits") for key in angles}
+            for key, value in values.items():
+                if value is None:
+                    raise ValueError(f"line {self.line('', 'limits')}: [limits] lacks the key '{key}_deg'")
+            for key, value in (limits | values).items():
+                require(f"line {self.line(key, 'limits')}: {key}", value, True, "a number")
+            found["limits"] = Limits(float(limits["u_min"]), float(limits["u_max"]), **values)  # type: ignore[arg-type]
+        return {key: value for key, value in found.items() if value is not None}
+
+    def thrust_map(self) -> ThrustMap:
+        """That of the table [thrust], or of [thrust.front] and [thrust.back]."""
+        data = self.data["thrust"]
+        if isinstance(data, dict) and ("front" in data or "back" in data):
+            both = self.table("thrust", ("front", "back"), ("front", "back"))
+            return ThrustMap(*(self.curve(f"thrust.{rotor}", both[rotor]) for rotor in ("front", "back")))
+        curve = self.curve("thrust", data)
+        return ThrustMap(curve, curve)
+
+    def curve(self, name: str, data: Any) -> ThrustCurve:
+        """One rotor's: a table of coefficients, or of points."""
+        points = ("voltages", "thrusts")
+        if isinstance(data, dict) and set(points) & set(data):
+            table = self.table(name, points, points, data)
+            for key in points:
+                if not isinstance(table[key], list) or not all(map(is_number, table[key])):
+                    raise ValueError(f"line {self.line(key, name)}: {key} = {table[key]!r}: must be finite numbers")
+            return TableCurve(*(tuple(map(float, table[key])) for key in points))
+        table = self.table(name, PowerCurve._fields, ("k_plus",), data)
+        for key, value in table.items():
+            require(f"line {self.line(key, name)}: {key}", value, True, "a number")
+        return PowerCurve(**{key: float(value) for key, value in table.items()})
+
+
+def _curve_table(curve: ThrustCurve) -> dict[str, Any]:
+    """A curve as a table of the file."""
+    if isinstance(curve, TableCurve):
+        return {"voltages": list(curve.voltages), "thrusts": list(curve.thrusts)}
+    return {key: float(value) for key, value in curve._asdict().items()}
+
+
+def _angle(key: str, value: float) -> dict[str, float]:
+    """An angle in rad as an entry of the file: in degrees, where these mean the very same number."""
+    rounded = round(math.degrees(value), 9)
+    return {f"{key}_deg": rounded} if math.radians(rounded) == value else {key: float(value)}
+
+
+def _describe(thrust_map: ThrustMap) -> str:
+    """A thrust map in a few words."""
+
+    def words(curve: ThrustCurve) -> str:
+        if isinstance(curve, TableCurve):
+            return f"of {len(curve.voltages)} points"
+        zone = f", dead zone {curve.dead_zone:g} V" if curve.dead_zone else ""
+        return f"{curve.k_plus:g} u^{curve.exponent:g}{zone}"
+
+    front, back = words(thrust_map.front), words(thrust_map.back)
+    return front if front == back else f"{front} (front), {back} (back)"
+
+
+def _plain(value: Any) -> str:
+    return f"({', '.join(f'{part:g}' for part in value)})" if isinstance(value, tuple) else f"{value:g}"
+
+
+def _as_tuple(value: Any) -> Any:
+    return tuple(value) if isinstance(value, list) else value

@@ -1,0 +1,181 @@
+"""Thrust of a rotor over its voltage: power laws, of which (2) is one, and measured points.
+
+Each curve has `thrust`, its exact inverse `voltage`, and `slope`. Curves rise monotonically. They work on arrays; the
+formula of the power laws is `heli_gym.model.power_thrust`, which the compiled kernels use too.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+from scipy.interpolate import PchipInterpolator
+
+from heli_gym.model import power_thrust
+from heli_gym.parameters import Scalar
+
+EXPONENTS = (0.5, 2.0)  # identified ones of real rigs lie between 0.94 and 1.74; (2) has 2, a linear map 1
+ITERATIONS = 80  # of bisection at most, when a cubic is inverted; Newton's steps need about six
+
+
+class PowerCurve(NamedTuple):
+    """f = k_plus (u - dead_zone)^exponent forwards, k_minus (-u - dead_zone)^exponent backwards, zero in between.
+
+    Exponent 2 without a dead zone is (2), exponent 1 a linear map.
+    """
+
+    k_plus: Scalar  # N/V^exponent, of a fan that turns forwards
+    k_minus: Scalar = 0.0  # N/V^exponent, backwards: negative, or zero for a fan that cannot
+    exponent: Scalar = 2.0
+    dead_zone: Scalar = 0.0  # V
+
+    def thrust(self, u: Any) -> Any:
+        """Thrust in N at the voltage u in V."""
+        return power_thrust(u, *self)
+
+    def voltage(self, f: Any) -> Any:
+        """Voltage in V for the thrust f in N; without backward thrust (k_minus = 0), 0 V for a negative one."""
+        f = np.asarray(f, dtype=float)
+        k = np.where(f >= 0.0, self.k_plus, self.k_minus)
+        ratio = np.divide(f, k, out=np.zeros(np.broadcast(f, k).shape), where=k != 0.0)
+        beyond = (
+            np.sqrt(ratio) if np.ndim(self.exponent) == 0 and self.exponent == 2.0 else ratio ** (1 / self.exponent)
+        )
+        return np.sign(f) * (beyond + np.where(ratio > 0.0, self.dead_zone, 0.0))
+
+    def slope(self, u: Any) -> Any:
+        """df/du in N/V at the voltage u in V."""
+        u = np.asarray(u, dtype=float)
+        beyond = np.maximum(np.abs(u) - self.dead_zone, 0.0)
+        k = np.where(u >= 0.0, self.k_plus, -np.asarray(self.k_minus))
+        with np.errstate(divide="ignore"):  # below exponent 1, the slope at the end of the dead zone is infinite
+            steepness = self.exponent * k * beyond ** (self.exponent - 1.0)
+        return np.where((beyond > 0.0) | (self.dead_zone == 0.0), steepness, 0.0)
+
+    def check(self, name: str) -> None:
+        """Raises ValueError for coefficients that make no rising curve."""
+        for field in ("k_plus", "k_minus", "exponent", "dead_zone"):
+            require(f"{name}.{field}", getattr(self, field), True, "a number")
+        require(f"{name}.k_plus", self.k_plus, self.k_plus > 0.0, "a positive number")
+        require(f"{name}.k_minus", self.k_minus, self.k_minus <= 0.0, "a negative number, or 0 without backward thrust")
+        low, high = EXPONENTS
+        require(f"{name}.exponent", self.exponent, low <= self.exponent <= high, f"{low:g} to {high:g}")
+        require(f"{name}.dead_zone", self.dead_zone, self.dead_zone >= 0.0, "a number of volts, at least 0")
+
+
+@dataclass(frozen=True)
+class TableCurve:
+    """Measured points, interpolated by monotone cubics (PCHIP; Fritsch and Butland, 1984).
+
+    Beyond its ends the curve goes on straight, at the slope between the last two points.
+
+    Args:
+        voltages: (K,) in V, rising.
+        thrusts: (K,) in N, not falling, and rising at both ends.
+    """
+
+    voltages: tuple[float, ...]
+    thrusts: tuple[float, ...]
+
+    @cached_property
+    def cubics(self) -> PchipInterpolator:
+        """The curve between its ends."""
+        return PchipInterpolator(self.voltages, self.thrusts)
+
+    @cached_property
+    def end_slopes(self) -> tuple[float, float]:
+        """Of the curve below and above the points, in N/V."""
+        u, f = self.voltages, self.thrusts
+        return (f[1] - f[0]) / (u[1] - u[0]), (f[-1] - f[-2]) / (u[-1] - u[-2])
+
+    def thrust(self, u: Any) -> Any:
+        """Thrust in N at the voltage u in V."""
+        u = np.asarray(u, dtype=float)
+        low, high = self.end_slopes
+        inside = np.clip(u, self.voltages[0], self.voltages[-1])
+        return self.cubics(inside) + low * np.minimum(u - inside, 0.0) + high * np.maximum(u - inside, 0.0)
+
+    def voltage(self, f: Any) -> Any:
+        """Voltage in V for the thrust f in N: on the cubics by Newton's method within a bisection.
+
+        Where the curve is level, 0 V if that is on it, and else the lowest.
+        """
+        f = np.asarray(f, dtype=float)
+        us, fs = np.array(self.voltages), np.array(self.thrusts)
+        k = np.clip(np.searchsorted(fs, f, side="left") - 1, 0, len(us) - 2)
+        c3, c2, c1, c0 = self.cubics.c[:, k]
+        target = np.clip(f, fs[0], fs[-1]) - c0
+        low, high = np.zeros_like(f), us[k + 1] - us[k]
+        rise = fs[k + 1] - fs[k]
+        s = high * np.clip(np.divide(target, rise, out=np.zeros_like(f), where=rise > 0.0), 0.0, 1.0)
+        for _ in range(ITERATIONS):
+            miss = ((c3 * s + c2) * s + c1) * s - target
+            low, high = np.where(miss <= 0.0, s, low), np.where(miss >= 0.0, s, high)
+            slope = (3.0 * c3 * s + 2.0 * c2) * s + c1
+            step = np.divide(miss, slope, out=np.full_like(f, np.inf), where=slope > 0.0)
+            new = s - step
+            new = np.where((low <= new) & (new <= high), new, 0.5 * (low + high))
+            if (np.abs(new - s) <= 4e-16 * (1.0 + np.abs(us[k]))).all():
+                break
+            s = new
+        below, above = self.end_slopes
+        u = us[k] + s + np.minimum(f - fs[0], 0.0) / below + np.maximum(f - fs[-1], 0.0) / above
+        return np.where(f == self.thrust(0.0), 0.0, u)
+
+    def slope(self, u: Any) -> Any:
+        """df/du in N/V at the voltage u in V."""
+        u = np.asarray(u, dtype=float)
+        low, high = self.end_slopes
+        inside = self.cubics(np.clip(u, self.voltages[0], self.voltages[-1]), 1)
+        return np.where(u < self.voltages[0], low, np.where(u > self.voltages[-1], high, inside))
+
+    def check(self, name: str) -> None:
+        """Raises ValueError for points that make no rising curve."""
+        for field in ("voltages", "thrusts"):
+            values = getattr(self, field)
+            if len(values) != len(self.voltages) or len(values) < 2:
+                raise ValueError(f"{name}.{field} = {values!r}: must be as many numbers as voltages, at least 2")
+            for value in values:
+                require(f"{name}.{field}", value, True, "finite numbers")
+        u, f = np.array(self.voltages), np.array(self.thrusts)
+        if not (np.diff(u) > 0.0).all():
+            raise ValueError(f"{name}.voltages = {self.voltages!r}: must rise from each point to the next")
+        if not ((np.diff(f) >= 0.0).all() and min(self.end_slopes) > 0.0):
+            raise ValueError(f"{name}.thrusts = {self.thrusts!r}: must not fall, and must rise at both ends")
+
+
+ThrustCurve: TypeAlias = PowerCurve | TableCurve
+
+
+@dataclass(frozen=True)
+class ThrustMap:
+    """The curves of the front and of the back rotor."""
+
+    front: ThrustCurve
+    back: ThrustCurve
+
+    @property
+    def is_quadratic(self) -> bool:
+        """Whether it is (2): one pair of coefficients for both rotors."""
+        same = self.front == self.back and isinstance(self.front, PowerCurve)
+        return same and (self.front.exponent, self.front.dead_zone) == (2.0, 0.0)  # type: ignore[union-attr]
+
+    def check(self, name: str) -> None:
+        """Raises ValueError for a curve that is none, or that does not rise."""
+        for rotor in ("front", "back"):
+            curve = getattr(self, rotor)
+            if not isinstance(curve, PowerCurve | TableCurve):
+                raise ValueError(f"{name}.{rotor} = {curve!r}: must be a PowerCurve or a TableCurve")
+            curve.check(f"{name}.{rotor}")
+
+
+def is_number(value: Any) -> bool:
+    """Whether the value is a finite number."""
+    return isinstance(value, int | float | np.number) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def require(name: str, value: Any, allowed: bool, what: str) -> None:
+    """Raises ValueError unless the value is a finite number, and allowed."""
+    if not is_number(value) or not allowed:
+        raise ValueError(f"{name} = {value!r}: must be {what}{'' if is_number(value) else ', and finite'}")
