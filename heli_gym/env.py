@@ -19,23 +19,8 @@ from heli_gym import task
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer, RenderState
-from heli_gym.simulation.kernels import (
-    ARRIVED,
-    COMMAND,
-    CRASHED,
-    ENDED_OFF_GOAL,
-    FLYING,
-    LAST,
-    MEASURED,
-    N_OUTPUTS_SENSED,
-    NOT_FINITE,
-    OBSERVED,
-    REFERENCE_ROW,
-    STEP,
-    TIME,
-    X,
-    one_step,
-)
+from heli_gym.simulation.kernels import ARRIVED, CRASHED, ENDED_OFF_GOAL, FLYING, NOT_FINITE, OBSERVED, one_step
+from heli_gym.simulation.layout import COMMAND, LAST, MEASURED, N_OUTPUTS_SENSED, REFERENCE_ROW, STEP, TIME, X
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
 

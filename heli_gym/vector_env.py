@@ -27,18 +27,8 @@ from heli_gym.env import (
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer
-from heli_gym.simulation.kernels import (
-    COMMAND,
-    COST,
-    MEASURED,
-    NOT_FINITE,
-    REWARD,
-    SUCCEEDED,
-    TERMINATED,
-    TIME,
-    TRUNCATED,
-    X,
-)
+from heli_gym.simulation.kernels import NOT_FINITE
+from heli_gym.simulation.layout import COMMAND, COST, MEASURED, REWARD, SUCCEEDED, TERMINATED, TIME, TRUNCATED, X
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
 

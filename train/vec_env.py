@@ -12,7 +12,7 @@ from heli_gym.baselines.control.protocol import step_index
 from heli_gym.baselines.control.residual import FEATURE_CLIP, ResidualPolicy
 from heli_gym.baselines.evaluation.metrics import tracking_reward
 from heli_gym.rigid_body import RigidBodyParameters
-from heli_gym.simulation.kernels import LAG, LOSS, RIG, VISCOUS
+from heli_gym.simulation.layout import LAG, LOSS, RIG, VISCOUS
 from heli_gym.task import TOLERANCE, to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv
 

@@ -1,7 +1,8 @@
-"""N helicopters in flight: their numbers in arrays, and the compiled kernels that work on these."""
+"""Flights of N helicopters: their numbers in arrays, and the compiled kernels that work on them."""
 
 import math
 from collections.abc import Callable, Sequence
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -9,9 +10,9 @@ from gymnasium.error import ResetNeeded
 
 from heli_gym import plant
 from heli_gym.plant import AXES, ROTORS, Gust, MovingMass, Plant, Push, RotorFault, Rotors
-from heli_gym.rigid_body import RigidBodyParameters
-from heli_gym.simulation import kernels
-from heli_gym.simulation.kernels import (
+from heli_gym.simulation import kernels, motion
+from heli_gym.simulation.kernels import OBSERVED
+from heli_gym.simulation.layout import (
     COMMAND,
     DISTURBANCE,
     DISTURBANCES,
@@ -20,17 +21,17 @@ from heli_gym.simulation.kernels import (
     LIMITS,
     N_OUTPUTS,
     N_OUTPUTS_SENSED,
-    OBSERVED,
     ORNSTEIN_UHLENBECK,
     PULSE,
+    QUANTITIES,
     RAMP,
     REFERENCE_ROW,
     ROW,
     SETTINGS,
     START_PLANT,
-    Ranges,
     Settings,
 )
+from heli_gym.simulation.start import Ranges
 from heli_gym.task import FEATURES, FeatureBounds, control_steps, feature_bounds, reference_features, sampler_bounds
 from heli_gym.trajectory import Sampler, Trajectory
 
@@ -38,14 +39,8 @@ SUBSTEP = 10e-3  # s, at most, of the integration where there is more than (3)
 
 
 def numbers(p: Plant) -> list:
-    """The numbers of a plant, some of which may be ranges, in the order of the rows from NUMBERS on.
-
-    Then, of each disturbance, KIND to CORRELATION. Counts of zero stand for sensors that are exact.
-    """
-    rotors, friction, sensors = p.rotors, p.friction, p.sensors
-    rows = [*p.parameters, *(p.rig or (0.0,) * len(RigidBodyParameters._fields))]
-    rows += [rotors.lag, rotors.thrust_loss, rotors.slew, rotors.delay, *friction.viscous, *friction.coulomb]
-    rows += [*sensors.counts, sensors.noise, sensors.rate_filter] if sensors else [0.0, 0.0, 0.0, 0.0, 1.0]
+    """Numbers of a plant without ranges, for the rows `plant_rows`."""
+    rows = [number for quantity in QUANTITIES.values() if quantity.of_plant for number in quantity.of_plant(p)]
     for value in p.disturbances:
         match value:
             case Push(axis, acceleration, start, duration):
@@ -59,10 +54,16 @@ def numbers(p: Plant) -> list:
     return rows
 
 
+def plant_rows(disturbances: int) -> np.ndarray:
+    """Rows (R,) that a plant sets: of the quantities that follow from it, then of the disturbances."""
+    own = [q.row + k for q in QUANTITIES.values() if q.of_plant for k in range(q.width)]
+    return np.array([*own, *range(DISTURBANCES, DISTURBANCES + DISTURBANCE * disturbances)])
+
+
 def ranges_of(p: Plant) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The numbers (A, R) of the alternatives of a plant, as low, span and index of `Ranges`."""
+    """Low, span and index (A, R) of the `Ranges` of the A alternatives of a plant."""
     ends = np.concatenate((np.zeros((1, p.uniforms)), np.eye(p.uniforms)[1:]))[:, 1:]
-    # the numbers of each alternative where no uniform is one, then where each of them in turn is
+    # numbers of each alternative with all uniforms zero, then with each of them in turn one
     corners = np.array([[numbers(plant.at_uniforms(q, iter(u))) for u in ends.tolist()] for q in p.alternatives], float)
     low = corners[:, 0]
     changed = corners[:, 1:] != low[:, None]
@@ -73,7 +74,7 @@ def ranges_of(p: Plant) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def stacked_ranges(plants: Sequence[Plant]) -> Ranges:
-    """The ranges of all plants; zeros stand for disturbances, which push nothing, where one has fewer than another."""
+    """Ranges of all plants; those with fewer disturbances are padded with zeros, which disturb nothing."""
     groups = group_by_identity(plants)
     each = [ranges_of(p) for p, _ in groups]
     width = max(low.shape[1] for low, _, _ in each)
@@ -85,29 +86,30 @@ def stacked_ranges(plants: Sequence[Plant]) -> Ranges:
     low, span, index = (
         np.concatenate([np.pad(part, ((0, 0), (0, width - part.shape[1]))) for part in parts]) for parts in zip(*each)
     )
-    return Ranges(low, span, index, first, count)
+    disturbances = max(len(p.disturbances) for p, _ in groups)
+    return Ranges(plant_rows(disturbances), low, span, index, first, count)
 
 
 def right_hand_side(plants: Sequence[Plant]) -> Callable:
-    """The simplest one that serves all these plants. Raises ValueError if only some of them are rigid bodies."""
+    """Simplest right-hand side that serves all these plants. Raises ValueError if only some are rigid bodies."""
     rigid = {q.rig is not None for p in plants for q in p.alternatives}
     if len(rigid) > 1:
         raise ValueError("plant: either all plants of a simulation have a rig, or none")
     if rigid.pop():
-        return kernels.rigid_body_with_disturbances
-    return kernels.equation_3 if all(p.is_plain for p in plants) else kernels.equation_3_with_disturbances
+        return motion.rigid_body_with_disturbances
+    return motion.equation_3 if all(p.is_plain for p in plants) else motion.equation_3_with_disturbances
 
 
 class Simulation:
-    """N helicopters in flight: their numbers, and the compiled steps that work on these.
+    """Flights of N helicopters: their numbers, and the compiled steps that work on them.
 
     Args:
         plants: (N) of each helicopter, with ranges or without.
-        references: (N) that each follows, or what draws one for every flight.
+        references: (N) trajectories to track, or samplers that draw one for every flight.
         control_period: s.
-        voltage_limits: V, the amplifier's.
-        pitch_limit: rad, where a flight ends.
-        start_spread: rad, within which each angle starts about the reference's.
+        voltage_limits: of the amplifier, V.
+        pitch_limit: rad, at which a flight ends.
+        start_spread: rad, largest distance of each starting angle from the reference's.
         random_start: whether flights start at a random time of their reference, rather than at its start.
         dtype: of the numbers, np.float64 or np.float32.
 
@@ -131,12 +133,12 @@ class Simulation:
         all_plants = [p for p, _ in group_by_identity(plants)]
         self.rhs = right_hand_side(all_plants)
         immediate = all(p.is_plain and p.rotors == Rotors() for p in all_plants)
-        self.fly = kernels.step_equation_3 if immediate else kernels.step_plant
+        self.fly = motion.step_equation_3 if immediate else motion.step_plant
         disturbances = max(len(p.disturbances) for p in all_plants)
         delay = max(p.rotors.delay for p in all_plants)
         settings = Settings(
             period=control_period,
-            substeps=1 if self.rhs is kernels.equation_3 else math.ceil(control_period / SUBSTEP - 1e-9),
+            substeps=1 if self.rhs is motion.equation_3 else math.ceil(control_period / SUBSTEP - 1e-9),
             u_low=voltage_limits[0],
             u_high=voltage_limits[1],
             pitch_limit=pitch_limit,
@@ -168,9 +170,9 @@ class Simulation:
         self._bind()
 
     def _table(self) -> np.ndarray:
-        """The references on the control grid, one below the other, and where in it each helicopter's is.
+        """Stack the references on the control grid, (K, FEATURES), and note where each helicopter's starts.
 
-        A reference that many follow is there once; one that is drawn has rows of its own, as many as it can take.
+        A reference that many share is there once; one that is drawn has rows of its own, as many as it can take.
         """
         parts, first = [], 0
         for source, followers in group_by_identity(self.sources):
@@ -189,11 +191,11 @@ class Simulation:
                 self.initial[REFERENCE_ROW, followers] = first + count * np.arange(len(followers))
                 parts.append(np.zeros((count * len(followers), FEATURES)))
             first += len(parts[-1])
-        # a helicopter that waits for its next start is stepped on once more, and looks one row beyond the end
+        # a helicopter that waits for its next start is stepped once more, and reads one row beyond the end
         return np.concatenate((*parts, parts[-1][-1:]))
 
     def _follow(self, j: int, reference: Trajectory) -> None:
-        """Has the next flights of the helicopter j start as this reference does, and end when it does."""
+        """Set the start and the end of the next flights of the helicopter j to those of this reference."""
         limits = reference.limits
         self.references[j] = reference
         self.initial[LAST, j] = control_steps(reference.duration, self.control_period)
@@ -201,7 +203,7 @@ class Simulation:
         self.initial[LIMITS : LIMITS + 4, j] = *limits.u, *limits.pitch
 
     def _bind(self) -> None:
-        """Finds the compiled functions, and the parts of the memory: what is not pickled."""
+        """Set what is not pickled: the compiled functions, and views on the parts of the memory."""
         self.kernels = kernels.kernels(self.dtype, self.rhs, self.fly)
         end = SETTINGS + -(-len(self.plants) // LANES) * self.size
         self.settings, self.blocks, self.flat_table = np.split(self.memory, (SETTINGS, end))
@@ -216,9 +218,9 @@ class Simulation:
         self._bind()
 
     def draw(self, j: int, rng: np.random.Generator) -> Trajectory:
-        """The reference of the next flight of the helicopter j, and the uniform numbers of which the flight is made.
+        """Draw the next flight of the helicopter j: its uniform numbers, if any matters; return its reference.
 
-        Where none matters, none is drawn. Raises ValueError for a reference that is none, or cannot be followed.
+        Raises ValueError for a sampler that draws no trajectory or one beyond its bounds.
         """
         source = self.sources[j]
         if isinstance(source, Trajectory):
@@ -230,7 +232,7 @@ class Simulation:
         return reference
 
     def _checked(self, source: Sampler, reference: Any) -> Trajectory:
-        """What a sampler has drawn, if the table has room for it and the observation's bounds hold."""
+        """Return what a sampler has drawn if the table has room for it and the observation's bounds hold."""
         if not isinstance(reference, Trajectory):
             raise ValueError(f"reference: {source!r} drew {reference!r}; must be a Trajectory")
         if reference.duration > source.duration:
@@ -253,21 +255,21 @@ class Simulation:
         return reference
 
     def reference_of(self, j: int) -> Trajectory:
-        """What the helicopter j follows in its present flight. Raises ResetNeeded where none is drawn yet."""
+        """Reference of the present flight of the helicopter j. Raises ResetNeeded if none is drawn yet."""
         reference = self.references[j]
         if reference is None:
             raise ResetNeeded("no reference is drawn yet: call reset first")
         return reference
 
     def drawn_plant(self, j: int) -> Plant:
-        """The plant of the present flight of the helicopter j."""
+        """Plant of the present flight of the helicopter j."""
         p = self.plants[j]
         return p.at(self.uniforms[j, START_PLANT : START_PLANT + p.uniforms])
 
     def reset(self, helicopters: np.ndarray, states: np.ndarray | None = None, times: np.ndarray | None = None) -> None:
-        """Starts flights of these helicopters (n,).
+        """Start flights of these helicopters (n,).
 
-        From states (N, 6) and at times (N,) of their references in s, or from where and when the numbers drawn say.
+        From states (N, 6) and at times (N,) of their references in s; by default as the uniform numbers say.
         """
         for j in helicopters.tolist() if self.drawn else ():
             if j in self.drawn:
@@ -291,12 +293,12 @@ class Simulation:
         )
 
     def arrays(self) -> tuple[np.ndarray, np.ndarray]:
-        """New ones for observations (N, 49), and for what is told, the first rows (self.told, N)."""
+        """New arrays for observations (N, 49) and outputs, the first rows (self.outputs, N)."""
         n = len(self.plants)
         return np.empty((n, OBSERVED), np.float32), np.empty((self.outputs, n), self.dtype)
 
     def write_outputs(self, helicopters: np.ndarray, observation: np.ndarray, outputs: np.ndarray) -> None:
-        """What these helicopters (n,) observe and tell now, into their parts of such arrays."""
+        """Write observations and outputs of these helicopters (n,) into their parts of `arrays`."""
         self.kernels.write_outputs(
             self.blocks,
             self.settings,
@@ -309,9 +311,10 @@ class Simulation:
         )
 
     def step(self, actions: np.ndarray) -> tuple[int, np.ndarray, np.ndarray]:
-        """A control step of all helicopters under actions (N, 2).
+        """Fly a control step of all helicopters under actions (N, 2).
 
-        How many flights are over, and `arrays`. If an action is not finite, nothing is done, and that is NOT_FINITE.
+        Returns the number of flights that are over, and `arrays`. If an action is not finite, nothing is done and that
+        number is NOT_FINITE.
         """
         observation, outputs = self.arrays()
         self.actions[:] = actions
@@ -319,13 +322,25 @@ class Simulation:
         return over, observation, outputs
 
     def rows(self, first: int, count: int) -> np.ndarray:
-        """These rows of all helicopters, (count, N)."""
-        feature_bound = self.blocks.reshape(-1, self.size // ROW, ROW)[:, first : first + count, :LANES]
-        return feature_bound.transpose(1, 0, 2).reshape(count, len(feature_bound) * LANES)[:, : len(self.plants)]
+        """Rows of all helicopters, (count, N)."""
+        part = self.blocks.reshape(-1, self.size // ROW, ROW)[:, first : first + count, :LANES]
+        return part.transpose(1, 0, 2).reshape(count, len(part) * LANES)[:, : len(self.plants)]
+
+    def record(self) -> SimpleNamespace:
+        """Copy of all quantities by the names of `layout`, (width, N) or (N,): record().state, record().lag, ...
+
+        `pending` (D, 2, N) are the voltages still delayed, in V, the oldest first.
+        """
+        values = {name: self.rows(q.row, q.width) for name, q in QUANTITIES.items()}
+        delay = int(self.settings[Settings._fields.index("delay")])
+        pending = self.rows(self.size // ROW - 2 * delay, 2 * delay).reshape(delay, 2, len(self.plants))
+        return SimpleNamespace(
+            **{name: rows if len(rows) > 1 else rows[0] for name, rows in values.items()}, pending=pending
+        )
 
 
 def group_by_identity(values: Sequence) -> list[tuple[Any, np.ndarray]]:
-    """Each distinct object, and where in the sequence it is."""
+    """Distinct objects of a sequence, each with the indices at which it stands."""
     places: dict[int, list[int]] = {}
     for place, value in enumerate(values):
         places.setdefault(id(value), []).append(place)

@@ -29,7 +29,7 @@ from heli_gym.plant import (
     find_plant,
 )
 from heli_gym.rigid_body import rigid_dynamics, solve_rigid_body
-from heli_gym.simulation.kernels import DISTURBANCES, GUST, MEASURED, MOTOR, ROTOR, ROW, X
+from heli_gym.simulation.layout import DISTURBANCES, GUST, MEASURED, MOTOR, ROTOR, ROW, X
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.task import to_action
 

@@ -12,9 +12,9 @@ from heli_gym.env import find_reference
 from heli_gym.model import rk4_step, thrust, virtual_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters
 from heli_gym.plant import PLANTS, Gust, MovingMass, Plant, Push, RotorFault, Rotors, Sensors
-from heli_gym.simulation import kernels
+from heli_gym.simulation import kernels, motion
 from heli_gym.simulation.fast_math import cosine, sine, standard_normal
-from heli_gym.simulation.kernels import COMMAND, LAG, LANES, REWARD, STEP, TIME, TRUNCATED, X
+from heli_gym.simulation.layout import COMMAND, LANES, REWARD, TIME, TRUNCATED, X
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.task import reward, to_voltage
 
@@ -47,7 +47,7 @@ def actions(steps, n, seed=1):
 def interpreted(flights, patch):
     """A copy of these flights that is stepped by the very same functions, uncompiled."""
     copy = pickle.loads(pickle.dumps(flights))
-    patch.setattr(kernels, "derivative", flights.rhs)
+    patch.setattr(motion, "derivative", flights.rhs)
     copy.kernels = kernels.Kernels(kernels.reset, kernels.write_outputs, kernels.step)
     return copy
 
@@ -75,7 +75,7 @@ def test_a_batch_in_numpy_of_the_same_equations_is_the_compiled_flight():
         _, _, outputs = flights.step(action)
         u = np.clip(to_voltage(action.T, AMPLIFIER_LIMITS), *AMPLIFIER_LIMITS)
         v = virtual_input(thrust(u, p))
-        x = np.array(rk4_step(kernels.equation_3, x, (v, v, v), 0.02, kernels.Body(p, None, None, None, None)))
+        x = np.array(rk4_step(motion.equation_3, x, (v, v, v), 0.02, motion.Body(p, None, None, None, None)))
         earned = 0.02 * reward(x - REFERENCE(0.02 * (k + 1))[0][:, None], u - REFERENCE(0.02 * (k + 0.5))[1][:, None])
         assert_allclose(outputs[X : X + 6], x, rtol=0.0, atol=1e-12)
         assert_allclose(outputs[COMMAND : COMMAND + 2], u, rtol=0.0, atol=1e-12)
@@ -126,17 +126,18 @@ def test_plants_delays_and_references_may_differ_from_helicopter_to_helicopter()
             alone.step(action[j : j + 1])
             # a lag-free plant takes shorter steps beside one with lag
             assert_allclose(outputs[X : X + 6, j], alone.rows(X, 6)[:, 0], rtol=0.0, atol=1e-9)
-            assert outputs[TIME, j] == 0.02 * alone.rows(STEP, 1)[0, 0]
+            assert outputs[TIME, j] == 0.02 * alone.record().step[0]
 
 
 def test_the_plant_that_is_told_is_the_plant_that_is_flown():
     flights = simulation([PLANTS["rigid"]] * 50)
+    record = flights.record()
     for j in range(50):
         drawn = flights.drawn_plant(j)
-        numbers = [*drawn.parameters, *drawn.rig, drawn.rotors.lag, drawn.rotors.thrust_loss]
-        rows = flights.rows(kernels.NUMBERS, kernels.SLEW - kernels.NUMBERS)[:, j]
+        numbers = [*drawn.parameters, *drawn.rig, drawn.rotors.lag, drawn.rotors.thrust_loss, *drawn.friction.viscous]
+        rows = [*record.parameters[:, j], *record.rig[:, j], record.lag[j], record.loss[j], *record.viscous[:, j]]
         assert_allclose(rows, numbers, rtol=1e-14)
-    assert len(set(flights.rows(LAG, 1)[0])) == 50
+    assert len(set(record.lag)) == 50
 
 
 def test_a_simulation_that_is_pickled_in_flight_flies_on_the_same():
@@ -179,7 +180,7 @@ def test_sine_and_cosine_are_exact_to_two_units_in_the_last_place(ours, exact):
     rng = np.random.default_rng(0)
     near = rng.integers(-60000, 60000, 20000) * (np.pi / 2) + rng.normal(0.0, 1e-3, 20000)
     x = np.concatenate((rng.uniform(-1e5, 1e5, 200000), rng.uniform(-4.0, 4.0, 200000), near, [0.0, -0.0]))
-    compiled = kernels.compiler_of(np.float64, kernels.equation_3, kernels.step_equation_3).part(ours)
+    compiled = kernels.compiler_of(np.float64, motion.equation_3, motion.step_equation_3).part(ours)
     outputs, right = np.array([compiled(v) for v in x]), exact(x)
     # beside a zero of the function, what is left of the reduction counts
     assert (np.abs(outputs - right) <= 2.0 * np.spacing(np.abs(right)) + 1e-20).all()
@@ -187,7 +188,7 @@ def test_sine_and_cosine_are_exact_to_two_units_in_the_last_place(ours, exact):
 
 def test_the_normal_numbers_are_normal_and_independent():
     keys = np.random.default_rng(0).random(200)
-    compiled = kernels.compiler_of(np.float64, kernels.equation_3, kernels.step_equation_3).part(standard_normal)
+    compiled = kernels.compiler_of(np.float64, motion.equation_3, motion.step_equation_3).part(standard_normal)
     z = np.array([[[compiled(key, float(k), channel) for channel in range(4)] for k in range(100)] for key in keys])
     assert abs(z.mean()) < 0.01
     assert z.std() == pytest.approx(1.0, abs=0.01)

@@ -5,7 +5,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from heli_gym.env import find_reference
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
 from heli_gym.plant import PLANTS, Gust, Plant, Rotors, Sensors
-from heli_gym.simulation.kernels import COST, MEASURED, REWARD, TERMINATED, TRUNCATED, X
+from heli_gym.simulation.layout import COST, MEASURED, REWARD, TERMINATED, TRUNCATED, X
 from heli_gym.simulation.simulation import Simulation
 
 torch = pytest.importorskip("torch")

@@ -1,0 +1,58 @@
+"""Disturbances in loops over the helicopters of a block: gusts, and the sum of all disturbances."""
+
+import math
+from typing import Any
+
+from heli_gym.simulation.fast_math import standard_normal
+from heli_gym.simulation.layout import (
+    DISTURBANCE,
+    DISTURBANCES,
+    EFFECT,
+    GUST,
+    KEY,
+    ORNSTEIN_UHLENBECK,
+    RAMP,
+    ROW,
+    STEP,
+    TORQUES,
+    Settings,
+    eight,
+    put_six,
+)
+
+
+def step_gusts(block: Any, n: int, s: Settings) -> None:
+    """Advance all gusts, Ornstein-Uhlenbeck processes, by one control period, exactly."""
+    for d in range(int(s.disturbances)):
+        first = DISTURBANCES + DISTURBANCE * d
+        for i in range(n):
+            kind, _, strength, _, _, _, decay, gust = eight(block, first, i)
+            if kind == ORNSTEIN_UHLENBECK:
+                normal = standard_normal(block[KEY * ROW + i], block[STEP * ROW + i], 3 + d)
+                block[(first + GUST) * ROW + i] = decay * gust + math.sqrt(1.0 - decay * decay) * strength * normal
+
+
+def sum_disturbances(block: Any, n: int, s: Settings, after: Any, h: Any) -> None:
+    """Sum the disturbances over an integration step of h seconds, `after` seconds into the control period.
+
+    A push counts for the share of the step in which it is on, so that its impulse is right whatever its duration.
+    """
+    for i in range(n):
+        put_six(block, TORQUES, i, (0.0, 0.0, 0.0, 0.0, 1.0, 1.0))
+    for d in range(int(s.disturbances)):
+        first = DISTURBANCES + DISTURBANCE * d
+        for i in range(n):
+            kind, channel, amount, begin, duration, _, _, gust = eight(block, first, i)
+            since = s.period * block[STEP * ROW + i] + after - begin
+            on = min(max(since + h, 0.0), duration) - min(max(since, 0.0), duration)  # finite, if the duration is not
+            if kind == ORNSTEIN_UHLENBECK:
+                value = gust
+            elif kind == RAMP:
+                value = amount * min(max((since + 0.5 * h) / duration, 0.0), 1.0)
+            else:
+                value = amount * on / h
+            row = TORQUES + int(channel)
+            if row < EFFECT:
+                block[row * ROW + i] += value
+            else:
+                block[row * ROW + i] *= 1.0 - value

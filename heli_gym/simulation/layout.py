@@ -1,0 +1,199 @@
+"""Where the numbers of a simulation are in memory: a table of quantities, from which the rows of a block follow.
+
+The numbers of `LANES` helicopters are a block: one row for each component of a quantity, so that the innermost loops
+run over helicopters and become SIMD instructions. Component k of a quantity that starts at ROW_OF_IT, of the helicopter
+i of a block, is `block[(ROW_OF_IT + k) * ROW + i]`. After the rows of the table come those of the disturbances, and
+after these the voltages that are still delayed.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from heli_gym.parameters import HelicopterParameters
+from heli_gym.plant import Plant
+from heli_gym.rigid_body import RigidBodyParameters
+
+LANES = 128  # helicopters of a block
+ROW = LANES + 8  # distance between rows; a power of two would have rows evict each other from the cache
+NOT_NEGATIVE = 2**40 - 1  # mask that tells LLVM an index is non-negative
+
+
+class Quantity(NamedTuple):
+    """Consecutive rows of a block: where they start, how many they are, and how a plant sets them, if it does."""
+
+    row: int
+    width: int
+    of_plant: Callable[[Plant], Any] | None  # numbers (width,), or ranges
+
+
+QUANTITIES: dict[str, Quantity] = {}  # by name, in the order of their rows
+
+
+def rows_in_use() -> int:
+    """Number of rows of the quantities defined so far."""
+    return sum(quantity.width for quantity in QUANTITIES.values())
+
+
+def quantity(name: str, width: int = 1, of_plant: Callable[[Plant], Any] | None = None) -> int:
+    """Define the next quantity of a block and return its first row."""
+    QUANTITIES[name] = Quantity(rows_in_use(), width, of_plant)
+    return QUANTITIES[name].row
+
+
+# Outputs of a step.
+X = quantity("state", 6)  # (44)
+COMMAND = quantity("command", 2)  # V, within the amplifier's limits
+REWARD = quantity("reward")
+COST = quantity("cost")
+TERMINATED = quantity("terminated")
+TRUNCATED = quantity("truncated")
+SUCCEEDED = quantity("succeeded")
+TIME = quantity("time")  # s, on the reference
+N_OUTPUTS = rows_in_use()
+MEASURED = quantity("measured", 6)  # (44), where sensors are not exact
+N_OUTPUTS_SENSED = rows_in_use()
+
+# State besides (44).
+MOTOR = quantity("motor", 2)  # V, at the motors
+ROTOR = quantity("rotor", 2)  # V, at which rotors without lag would turn as fast
+STEP = quantity("step")  # control periods since the start of the reference
+KEY = quantity("key")  # of the flight's random numbers, in [0, 1)
+
+# The reference that is flown.
+LAST = quantity("last")  # its last step
+REFERENCE_ROW = quantity("reference_row")  # its first row in the table of references
+LIMITS = quantity("limits", 2)  # u_min and u_max, V
+PITCH_LIMITS = quantity("pitch_limits", 2)  # pitch_min and pitch_max, rad
+
+# The plant that is flown.
+NO_RIGID_BODY = (0.0,) * len(RigidBodyParameters._fields)
+PARAMETERS = quantity("parameters", len(HelicopterParameters._fields), lambda p: p.parameters)
+RIG = quantity("rig", len(RigidBodyParameters._fields), lambda p: p.rig or NO_RIGID_BODY)
+LAG = quantity("lag", 1, lambda p: (p.rotors.lag,))  # s
+LOSS = quantity("loss", 1, lambda p: (p.rotors.thrust_loss,))  # share of the thrust
+SLEW = quantity("slew", 1, lambda p: (p.rotors.slew,))  # V/s
+DELAY = quantity("delay", 1, lambda p: (p.rotors.delay,))  # control periods
+VISCOUS = quantity("viscous", 3, lambda p: p.friction.viscous)  # 1/s
+COULOMB = quantity("coulomb", 3, lambda p: p.friction.coulomb)  # rad/s²
+COUNTS = quantity("counts", 3, lambda p: p.sensors.counts if p.sensors else (0, 0, 0))  # 0: the true state
+NOISE = quantity("noise", 1, lambda p: (p.sensors.noise if p.sensors else 0.0,))  # rad
+RATE_FILTER = quantity("rate_filter", 1, lambda p: (p.sensors.rate_filter if p.sensors else 1.0,))  # s
+
+# Derived from the plant and the control period, once a flight.
+LAG_DECAY = quantity("lag_decay")  # of the rotors' deviation over half an integration step
+RATE_DECAY = quantity("rate_decay")  # of the rate estimate over a control period
+
+# Passed on within a step.
+TORQUES = quantity("torques", 3)  # rad/s², of all disturbances
+A2_CHANGE = quantity("a2_change")  # rad/s², likewise
+EFFECT = quantity("effect", 2)  # share of the thrust that faults leave to each rotor
+REFERENCE = quantity("reference", 6)  # state
+NOMINAL = quantity("nominal", 2)  # V
+ARRIVING = quantity("arriving")  # V, at a motor, after the delay
+ON_ANGLES = quantity("on_angles", 3)  # rad, noise of the sensors
+
+# Rows of each disturbance, after those of the table.
+DISTURBANCES, DISTURBANCE = rows_in_use(), 8
+KIND, CHANNEL, AMOUNT, BEGIN, DURATION, CORRELATION, DECAY, GUST = range(8)
+PULSE, ORNSTEIN_UHLENBECK, RAMP = range(3)  # kinds
+
+# Uniform numbers that make the start of a flight: of the three angles, the time, the key; then those of the plant.
+START_ANGLES, START_TIME, START_KEY, START_PLANT = 0, 3, 4, 5
+
+
+class Settings(NamedTuple):
+    """What all helicopters of a simulation share; the kernels take it as an array."""
+
+    period: float  # s, of the control
+    substeps: int
+    u_low: float  # V
+    u_high: float  # V
+    pitch_limit: float  # rad
+    disturbances: int  # of any helicopter, at most
+    delay: int  # control periods, of any helicopter, at most
+    is_sensed: bool
+    is_noisy: bool
+    start_spread: float  # rad
+    random_start: bool
+
+
+SETTINGS = 16  # length of the settings array
+
+
+def shared(settings: Any) -> Settings:
+    """Unpack the settings array."""
+    s = settings
+    return Settings(s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9], s[10])
+
+
+# Consecutive rows of one helicopter. Spelt out, because the compiler sees which rows overlap through one call but not
+# through two.
+
+
+def two(block: Any, row: int, i: int) -> tuple:
+    """This row and the next of the helicopter i."""
+    return block[row * ROW + i], block[(row + 1) * ROW + i]
+
+
+def three(block: Any, row: int, i: int) -> tuple:
+    """This row and the next two."""
+    return block[row * ROW + i], block[(row + 1) * ROW + i], block[(row + 2) * ROW + i]
+
+
+def six(block: Any, row: int, i: int) -> tuple:
+    """This row and the next five."""
+    return (
+        block[row * ROW + i],
+        block[(row + 1) * ROW + i],
+        block[(row + 2) * ROW + i],
+        block[(row + 3) * ROW + i],
+        block[(row + 4) * ROW + i],
+        block[(row + 5) * ROW + i],
+    )
+
+
+def eight(block: Any, row: int, i: int) -> tuple:
+    """This row and the next seven."""
+    return (
+        block[row * ROW + i],
+        block[(row + 1) * ROW + i],
+        block[(row + 2) * ROW + i],
+        block[(row + 3) * ROW + i],
+        block[(row + 4) * ROW + i],
+        block[(row + 5) * ROW + i],
+        block[(row + 6) * ROW + i],
+        block[(row + 7) * ROW + i],
+    )
+
+
+def eleven(block: Any, row: int, i: int) -> tuple:
+    """This row and the next ten."""
+    return (
+        block[row * ROW + i],
+        block[(row + 1) * ROW + i],
+        block[(row + 2) * ROW + i],
+        block[(row + 3) * ROW + i],
+        block[(row + 4) * ROW + i],
+        block[(row + 5) * ROW + i],
+        block[(row + 6) * ROW + i],
+        block[(row + 7) * ROW + i],
+        block[(row + 8) * ROW + i],
+        block[(row + 9) * ROW + i],
+        block[(row + 10) * ROW + i],
+    )
+
+
+def put_two(block: Any, row: int, i: int, values: tuple) -> None:
+    """Write into this row and the next of the helicopter i."""
+    block[row * ROW + i], block[(row + 1) * ROW + i] = values
+
+
+def put_six(block: Any, row: int, i: int, values: tuple) -> None:
+    """Write into this row and the next five."""
+    a, b, c, d, e, f = values
+    block[row * ROW + i] = a
+    block[(row + 1) * ROW + i] = b
+    block[(row + 2) * ROW + i] = c
+    block[(row + 3) * ROW + i] = d
+    block[(row + 4) * ROW + i] = e
+    block[(row + 5) * ROW + i] = f

@@ -1,0 +1,125 @@
+"""Start of a flight: its plant, its state, and what follows from them."""
+
+import math
+from typing import Any, NamedTuple
+
+from numpy import floor
+
+from heli_gym.plant import quantise
+from heli_gym.simulation.fast_math import standard_normal
+from heli_gym.simulation.layout import (
+    COMMAND,
+    CORRELATION,
+    COUNTS,
+    DECAY,
+    DISTURBANCE,
+    DISTURBANCES,
+    KEY,
+    LAG,
+    LAG_DECAY,
+    LAST,
+    MEASURED,
+    MOTOR,
+    NOISE,
+    ON_ANGLES,
+    RATE_DECAY,
+    RATE_FILTER,
+    REFERENCE_ROW,
+    ROTOR,
+    ROW,
+    START_ANGLES,
+    START_KEY,
+    START_PLANT,
+    START_TIME,
+    STEP,
+    TIME,
+    TORQUES,
+    Settings,
+    X,
+    put_six,
+    put_two,
+    six,
+    two,
+)
+from heli_gym.task import FEATURES
+
+
+class Ranges(NamedTuple):
+    """Ranges of the rows `row` (R,) from which plants are drawn: low + span * uniforms[index], each (A, R).
+
+    Of the A alternatives, the helicopter j draws one of `count[j]` from `first[j]` on.
+    """
+
+    row: Any
+    low: Any
+    span: Any
+    index: Any
+    first: Any
+    count: Any
+
+
+def sample_parameters(block: Any, i: int, ranges: Ranges, j: int, u: Any) -> None:
+    """Write the plant j at the uniform numbers u into the helicopter i of a block."""
+    count = ranges.count[j]
+    choice = ranges.first[j]
+    if count > 1:
+        choice += int(u[START_PLANT] * count)
+    for r in range(ranges.low.shape[1]):
+        value = ranges.low[choice, r]
+        if ranges.index[choice, r] > 0:
+            value += ranges.span[choice, r] * u[START_PLANT + ranges.index[choice, r]]
+        block[ranges.row[r] * ROW + i] = value
+
+
+def init_state(block: Any, i: int, s: Settings, table: Any, initial: Any, u: Any, state: Any, step: Any) -> None:
+    """Start the helicopter i from its `initial` rows: at its reference or, if there is one, in a state (6,).
+
+    At this step of its reference or, if that is negative, at the one that follows from the uniform numbers u.
+    """
+    for row in range(len(initial)):
+        block[row * ROW + i] = initial[row]
+    if step >= 0.0:
+        block[STEP * ROW + i] = step
+    elif s.random_start > 0.0:
+        block[STEP * ROW + i] = floor(u[START_TIME] * initial[LAST])
+    block[TIME * ROW + i] = s.period * block[STEP * ROW + i]
+    at = FEATURES * (int(initial[REFERENCE_ROW]) + int(block[STEP * ROW + i]))
+    for k in range(6):
+        block[(X + k) * ROW + i] = state[k] if len(state) > 0 else table[at + k]
+    if len(state) == 0:
+        for axis in range(3):
+            block[(X + 2 * axis) * ROW + i] += s.start_spread * (2.0 * u[START_ANGLES + axis] - 1.0)
+        block[(X + 4) * ROW + i] = min(max(block[(X + 4) * ROW + i], -s.pitch_limit), s.pitch_limit)
+    for motor in range(2):
+        if block[STEP * ROW + i] > 0.0:
+            block[(COMMAND + motor) * ROW + i] = table[at - FEATURES + 6 + motor]
+        block[(MOTOR + motor) * ROW + i] = block[(COMMAND + motor) * ROW + i]
+        block[(ROTOR + motor) * ROW + i] = block[(COMMAND + motor) * ROW + i]
+    block[KEY * ROW + i] = u[START_KEY]
+
+
+def init_derived(block: Any, i: int, s: Settings) -> None:
+    """Compute the rows that follow from the plant and the state of the helicopter i, its first measurement among them.
+
+    The first rates are the true ones, as if the estimator had been running before. Delayed voltages are the first ones.
+    """
+    lag, h = block[LAG * ROW + i], s.period / s.substeps
+    block[LAG_DECAY * ROW + i] = math.exp(-0.5 * h / lag) if lag > 0.0 else 0.0
+    block[RATE_DECAY * ROW + i] = math.exp(-s.period / block[RATE_FILTER * ROW + i])
+    put_six(block, TORQUES, i, (0.0, 0.0, 0.0, 0.0, 1.0, 1.0))
+    put_six(block, MEASURED, i, six(block, X, i))
+    for axis in range(3):
+        block[(ON_ANGLES + axis) * ROW + i] = 0.0
+        if s.is_noisy > 0.0:
+            normal = standard_normal(block[KEY * ROW + i], block[STEP * ROW + i], axis)
+            block[(ON_ANGLES + axis) * ROW + i] = block[NOISE * ROW + i] * normal
+        counts = block[(COUNTS + axis) * ROW + i]
+        if counts > 0.0:
+            noisy = block[(X + 2 * axis) * ROW + i] + block[(ON_ANGLES + axis) * ROW + i]
+            block[(MEASURED + 2 * axis) * ROW + i] = quantise(noisy, counts, floor)
+    for d in range(int(s.disturbances)):
+        first = DISTURBANCES + DISTURBANCE * d
+        decay = math.exp(-s.period / block[(first + CORRELATION) * ROW + i])
+        put_two(block, first + DECAY, i, (decay, 0.0))
+    for k in range(int(s.delay)):
+        put_two(block, DISTURBANCES + DISTURBANCE * int(s.disturbances) + 2 * k, i, two(block, COMMAND, i))
