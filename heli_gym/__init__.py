@@ -29,6 +29,8 @@ __all__ = [
     "voltage",
 ]
 
+__version__ = "0.1.0"
+
 register(
     id="Heli3DOF-v0",
     entry_point="heli_gym.env:Heli3DOFEnv",
