@@ -16,6 +16,7 @@ import gymnasium as gym
 import numpy as np
 from scipy.linalg import solve_continuous_are
 
+from heli_gym.cli import command, print_version
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.model import fan_thrusts, hover_input, linearise, voltage
 from heli_gym.parameters import HelicopterParameters
@@ -121,17 +122,23 @@ def mapping(env: gym.Env) -> tuple[dict[tuple[int, ...], np.ndarray], np.ndarray
 
 def main(arguments: list[str] | None = None) -> None:
     """The command `heli-play`."""
-    parser = argparse.ArgumentParser(prog="heli-play", description=__doc__.partition("\n\n")[2])
+    with command("heli-play"):
+        run(sys.argv[1:] if arguments is None else arguments)
+
+
+def run(arguments: list[str]) -> None:
+    """Fly as these arguments say."""
+    parser = argparse.ArgumentParser(prog="heli-play", allow_abbrev=False, description=__doc__.partition("\n\n")[2])
     parser.add_argument("--assist", action="store_true", help="let the paper's feedback help")
     parser.add_argument("--plant", default="nominal", help="nominal, lab or rigid (default: %(default)s)")
     parser.add_argument("--reference", default="travel-360", help="name or .npz file (default: %(default)s)")
     parser.add_argument("--seed", type=int, help="of the first episode (default: none)")
+    print_version("heli-play", arguments)
     args = parser.parse_args(arguments)
-    try:
-        env: gym.Env = Heli3DOFEnv(args.plant, args.reference, render_mode="rgb_array")
-        fly(Assist(env) if args.assist else env, args.seed)
-    except (ValueError, gym.error.DependencyNotInstalled) as error:
-        sys.exit(f"heli-play: {error}")
+    if args.seed is not None and args.seed < 0:
+        raise ValueError(f"seed = {args.seed}: must be at least 0")
+    env: gym.Env = Heli3DOFEnv(args.plant, args.reference, render_mode="rgb_array")
+    fly(Assist(env) if args.assist else env, args.seed)
 
 
 def fly(env: gym.Env, seed: int | None = None) -> None:

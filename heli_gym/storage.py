@@ -1,31 +1,115 @@
-"""Files that are either written whole or not at all."""
+"""Files that are either written whole or not at all, and locks for what is read, changed and written back."""
 
 import os
+import secrets
+import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO
+
+try:
+    import fcntl
+except ImportError:  # Windows: an open file cannot be removed there, which serves for the same
+    fcntl = None  # type: ignore[assignment]
 
 
 @contextmanager
 def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
-    """A file to write to, which takes its name only when all has been written; folders are made as needed."""
+    """A file to write to, which takes its name only when all has been written; folders are made as needed.
+
+    Any number of threads and processes may write the same file: one of them wins. What a process left unfinished that
+    was killed is removed by the next one that writes the file.
+    """
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
-    unfinished = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    remove_unfinished(path)
+    unfinished = path.with_name(f".{path.name}.{os.getpid()}-{secrets.token_hex(4)}.tmp")
     try:
-        with open(unfinished, "wb") as file:
+        with open(unfinished, "xb") as file:
+            try_lock(file)
             yield file
             file.flush()
             os.fsync(file.fileno())
         os.replace(unfinished, path)
     finally:
-        unfinished.unlink(missing_ok=True)
+        with suppress(OSError):
+            unfinished.unlink(missing_ok=True)
+
+
+def remove_unfinished(path: Path) -> None:
+    """Remove the temporary files of processes that were killed while they wrote this file."""
+    for name in os.listdir(path.parent):
+        if name.startswith(f".{path.name}.") and name.endswith(".tmp"):
+            with suppress(OSError), open(path.with_name(name), "rb") as file:
+                # The lock serves for writers on other machines, the number for one that has yet to lock its file.
+                if try_lock(file) and not is_alive(name):
+                    path.with_name(name).unlink()
+
+
+def is_alive(name: str) -> bool:
+    """Whether the process that a temporary file is named after runs on this machine."""
+    pid = name.split(".")[-2].partition("-")[0]
+    try:
+        os.kill(int(pid), 0)
+    except PermissionError:
+        return True
+    except (OSError, ValueError, OverflowError):
+        return False
+    return True
+
+
+def try_lock(file: BinaryIO) -> bool:
+    """Lock an open file unless it is locked; whether that worked. The lock goes with the file and the process."""
+    if fcntl is None:
+        return True
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    return True
+
+
+@contextmanager
+def locked(path: str | os.PathLike) -> Iterator[None]:
+    """Wait until nobody else, thread or process, holds the lock of this file, and hold it.
+
+    For what is read, changed and written back: `with locked(path): ...`.
+    """
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    lock = path.with_name(f".{path.name}.lock")
+    while True:
+        with open(lock, "ab") as file:
+            if fcntl is not None:
+                fcntl.flock(file, fcntl.LOCK_EX)
+            # Whoever held it has removed it: another file has its name now, or none.
+            if not lock.exists() or os.fstat(file.fileno()).st_ino != lock.stat().st_ino:
+                continue
+            try:
+                yield
+            finally:
+                with suppress(OSError):
+                    lock.unlink()
+            return
 
 
 def check_folder(name: str, path: str | os.PathLike) -> None:
-    """Raises ValueError unless the path is a folder, or can become one."""
+    """Refuse a folder that cannot be written to, before anything is done for it. Nothing is left there.
+
+    Raises ValueError unless the path is a folder, or can become one, and OSError if the operating system refuses to
+    write there, because of permissions or a full disk.
+    """
     path = Path(path)
+    if "\0" in str(path):
+        raise ValueError(f"{name} = {str(path)!r}: must be a path, without null characters")
     nearest = next(folder for folder in (path, *path.absolute().parents) if folder.exists())
     if not nearest.is_dir():
         raise ValueError(f"{name} = {str(path)!r}: must be a folder, but {str(nearest)!r} is a file")
+    try:
+        with tempfile.TemporaryFile(dir=nearest) as probe:
+            probe.write(b"\0" * 4096)
+            probe.flush()
+            os.fsync(probe.fileno())
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from error

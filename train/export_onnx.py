@@ -4,17 +4,16 @@ Only the network, from features (N, F) to actions (N, 2) in single precision: wh
 with the actions is `heli_gym.baselines.control.residual.ResidualPolicy`.
 """
 
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import onnx
-import tyro
 from onnx import TensorProto, helper, numpy_helper
 
 from heli_gym.baselines.control.residual import LEARNED, Network, load_learned
-from heli_gym.storage import atomic_write
+from heli_gym.cli import announce_replaced, command, parse
+from heli_gym.storage import atomic_write, check_folder
 
 OPSET, IR_VERSION = 17, 8  # of 2022, which runtimes have learned to read
 
@@ -54,13 +53,18 @@ def onnx_model(network: Network) -> onnx.ModelProto:
 
 
 def main(args: Args | None = None) -> None:
+    """The command `heli-export-onnx`."""
+    with command("heli-export-onnx"):
+        run(args or parse(Args, "heli-export-onnx", __doc__))
+
+
+def run(args: Args) -> None:
     """Read, export, write."""
-    args = args or tyro.cli(Args, prog="heli-export-onnx", description=__doc__)
-    try:
-        _, network = load_learned(args.policy)
-    except ValueError as error:
-        sys.exit(f"heli-export-onnx: {error}")
-    args.out.parent.mkdir(parents=True, exist_ok=True)
+    if args.out.is_dir():
+        raise ValueError(f"out = {str(args.out)!r}: must be a file")
+    check_folder("out", args.out.parent)
+    _, network = load_learned(args.policy)
+    announce_replaced("heli-export-onnx", args.out)
     with atomic_write(args.out) as file:
         file.write(onnx_model(network).SerializeToString())
     print(f"written to {args.out}")

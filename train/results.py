@@ -7,13 +7,11 @@ draw, how much smaller it is than that of the paper's controller, and how probab
 """
 
 import json
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
-import tyro
 from rich.console import Console
 from rich.progress import track
 from rich.table import Table
@@ -24,6 +22,7 @@ from heli_gym.baselines.control.weights import TUNED
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.evaluation.statistics import improvement, mean_with_interval, rank_crashes_last
+from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
@@ -108,6 +107,8 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
     both before anything is flown.
     """
     check_folder("out", args.out)
+    if args.seed < 0:
+        raise ValueError(f"seed = {args.seed}: must be at least 0")
     if args.episodes < 2:
         raise ValueError(f"episodes = {args.episodes}: must be at least 2")
     if not 0 <= args.oracle <= args.episodes:
@@ -213,18 +214,21 @@ def draw_profiles(path: Path, args: Args, results: dict[str, np.ndarray]) -> Non
 
 
 def main() -> None:
-    """Fly, print the table, leave it and the profiles in the folder."""
-    args = tyro.cli(Args, description=__doc__)
+    """The command `heli-results`."""
+    with command("heli-results"):
+        run(parse(Args, "heli-results", __doc__))
+
+
+def run(args: Args) -> None:
+    """Fly, leave the table in the folder, print it, draw the profiles."""
     console = Console()
-    try:
-        results = compare(args, console)
-    except (ValueError, ImportError) as error:
-        sys.exit(f"heli-results: {error}")
+    path = args.out / f"{args.plant}.json"
+    announce_replaced("heli-results", path)
+    results = compare(args, console)
     table, rows = table_of(args, results)
-    console.print(table)
-    args.out.mkdir(parents=True, exist_ok=True)
-    with atomic_write(args.out / f"{args.plant}.json") as file:
+    with atomic_write(path) as file:
         file.write((json.dumps(rows, indent=2) + "\n").encode())
+    console.print(table)
     draw_profiles(args.out / f"{args.plant}-profiles.png", args, results)
     console.print(f"written to {args.out}")
 

@@ -11,7 +11,6 @@ agent is validated and the run is saved; what is left in the folder of the run:
 """
 
 import json
-import sys
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -19,7 +18,6 @@ from typing import Any, Literal
 
 import numpy as np
 import torch
-import tyro
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 from stable_baselines3 import PPO, SAC, TD3
@@ -31,6 +29,7 @@ from heli_gym.baselines.control.policies import POLICIES, make_policy
 from heli_gym.baselines.control.residual import FEATURE_GROUPS, Learned, Network, ResidualPolicy, save_learned
 from heli_gym.baselines.evaluation.metrics import ONE, Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many
+from heli_gym.cli import command, parse
 from heli_gym.env import find_reference
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
@@ -368,15 +367,14 @@ def write_json(path: Path, value: Any) -> None:
 
 def main() -> None:
     """The command `heli-train`."""
-    args = tyro.cli(Args, description=__doc__)
-    console = Console()
-    try:
-        folder = train(args, console)
-    except ValueError as error:
-        sys.exit(f"heli-train: {error}")
-    first, *_, last = json.loads((folder / "history.json").read_text())
-    console.print(f"validation: return {first['episode_return']:.2f} s before, {last['episode_return']:.2f} s after")
-    console.print(f"{folder}/best.safetensors: the best network; heli-evaluate --policies {folder}/best.json flies it")
+    with command("heli-train"):
+        console = Console()
+        folder = train(parse(Args, "heli-train", __doc__), console)
+        first, *_, last = json.loads((folder / "history.json").read_text())
+        console.print(
+            f"validation: return {first['episode_return']:.2f} s before, {last['episode_return']:.2f} s after\n"
+            f"{folder}/best.safetensors: the best network; heli-evaluate --policies {folder}/best.json flies it"
+        )
 
 
 if __name__ == "__main__":

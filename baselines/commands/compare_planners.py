@@ -5,6 +5,7 @@ is local: what is called a bound here is the best that is known. Every plan is f
 """
 
 import csv
+import importlib
 import io
 import math
 import time
@@ -15,7 +16,6 @@ from typing import Any, Literal
 
 import gymnasium as gym
 import numpy as np
-import tyro
 from rich.console import Console
 from rich.progress import track
 from rich.table import Table
@@ -30,6 +30,7 @@ from heli_gym.baselines.planning.collocation import collocate
 from heli_gym.baselines.planning.feasibility import ARRIVAL_TOLERANCE, LIMIT_TOLERANCE, InfeasibleManeuver
 from heli_gym.baselines.planning.planner import FASTEST, plan, plan_fastest
 from heli_gym.baselines.planning.spline import easy_duration
+from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.model import dynamics, hover_input, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.plant import HELD_OUT_SEED
@@ -324,10 +325,24 @@ PARTS: dict[str, Callable[[Args, Console], None]] = {
 
 
 def main(args: Args | None = None) -> None:
-    """Run the parts asked for."""
-    args = args or tyro.cli(Args, prog="heli-compare-planners", description=__doc__)
-    console = Console()
+    """The command `heli-compare-planners`."""
+    with command("heli-compare-planners"):
+        run(args or parse(Args, "heli-compare-planners", __doc__))
+
+
+def run(args: Args) -> None:
+    """Run the parts asked for, each leaving its table before the next begins."""
+    if not args.parts:
+        raise ValueError("parts = (): must name at least one")
+    for name in ("maneuvers", "fastest", "draws"):
+        if getattr(args, name) < 1:
+            raise ValueError(f"{name} = {getattr(args, name)}: must be at least 1")
+    if args.seed < 0:
+        raise ValueError(f"seed = {args.seed}: must be at least 0")
     check_folder("out", args.out)
+    importlib.import_module("casadi")  # which all parts need, some after minutes
+    announce_replaced("heli-compare-planners", *(args.out / f"{part}.csv" for part in args.parts))
+    console = Console()
     for part in args.parts:
         console.rule(part)
         PARTS[part](args, console)

@@ -3,7 +3,6 @@
 import base64
 import json
 import math
-import sys
 import webbrowser
 from dataclasses import dataclass, fields, is_dataclass, replace
 from itertools import product
@@ -11,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import tyro
 from rich.console import Console
 from rich.progress import track
 from scipy.integrate import solve_ivp
@@ -40,12 +38,13 @@ from heli_gym.baselines.paper.boundary_value import (
     solve_unconstrained,
 )
 from heli_gym.baselines.paper.tvlqr import Q, R, stationary_cost, stationary_gain
+from heli_gym.cli import command, parse
 from heli_gym.model import hover_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters, Limits
 from heli_gym.plant import AXES, PLANTS
 from heli_gym.rigid_body import solve_rigid_body
 from heli_gym.simulation.simulation import SUBSTEP
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import TOLERANCE
 from heli_gym.trajectory import Maneuver
 
@@ -236,17 +235,21 @@ def plain(value: Any) -> Any:
 
 def main(args: Args | None = None) -> None:
     """The command `heli-demo`."""
-    args = args or tyro.cli(Args, prog="heli-demo")
+    with command("heli-demo"):
+        run(args or parse(Args, "heli-demo"))
+
+
+def run(args: Args) -> None:
+    """Write the page and open it, or solve its plans."""
     console = Console()
     if args.solve_plans:
+        check_folder("the package's folder", PLANS.parent)
+        plans = solve_plans(console)
         with atomic_write(PLANS) as file:
-            file.write(json.dumps(solve_plans(console)).encode())
+            file.write(json.dumps(plans).encode())
         console.print(f"plans: {PLANS}")
         return
-    try:
-        check_page("out", args.out)
-    except ValueError as error:
-        sys.exit(f"heli-demo: {error}")
+    check_page("out", args.out)
     write_page(args.out, "live", "heli_gym: fly the helicopter", live_data())
     console.print(f"page: {args.out}")
     if args.open:

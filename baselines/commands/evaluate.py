@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-import tyro
 from rich.console import Console
 from rich.progress import track
 from rich.table import Table
@@ -24,6 +23,7 @@ from heli_gym.baselines.evaluation.statistics import with_interval
 from heli_gym.baselines.paper.normal_form import thrust_bounds, v2_bounds
 from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.baselines.planning.planner import plan, plan_unconstrained
+from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
@@ -31,6 +31,7 @@ from heli_gym.task import TOLERANCE
 from heli_gym.trajectory import Maneuver, Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
+PAPERS_REFERENCE = "travel-360"
 PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
 FIGURE_START_DEG = (-5.0, 5.0)  # travel and elevation off the reference, where the flights of Figs. 10 and 11 start
 NOT_COMPARED = ("residual", "residual-rigid", "middle-voltage", "zero")  # unless they are asked for
@@ -90,8 +91,9 @@ class Flight(NamedTuple):
     trajectory: Trajectory
 
 
-def evaluate(args: Args, console: Console) -> list[Flight]:
-    """Fly every policy: once exactly, and then the episodes."""
+def evaluate(args: Args, console: Console, flights: list[Flight] | None = None) -> list[Flight]:
+    """Fly every policy: once exactly, and then the episodes. Flights are appended to `flights` as they are flown."""
+    flights = [] if flights is None else flights
     check_folder("out", args.out)
     if args.report is not None:
         check_page("report", args.report)
@@ -115,7 +117,6 @@ def evaluate(args: Args, console: Console) -> list[Flight]:
     # what was learned flies at its own control period only
     jobs = [] if exact.plant.is_random else [("exact", name) for name in args.policies if not is_learned(name)]
     jobs += [("perturbed", name) for name in args.policies]
-    flights = []
     for start, name in track(jobs, "flying", console=console):
         env = exact if start == "exact" else perturbed
         policy = make_policy(name, reference, PAPER_PERIOD) if env is exact else policies[name]
@@ -265,36 +266,35 @@ def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory,
 
 def main(args: Args | None = None) -> None:
     """The command `heli-evaluate`."""
-    args = args or tyro.cli(Args, prog="heli-evaluate")
+    with command("heli-evaluate"):
+        run(args or parse(Args, "heli-evaluate"))
+
+
+def run(args: Args) -> None:
+    """Fly, write the results, and only then print and draw them; interrupted, write those of the flights so far."""
     console = Console(width=None if sys.stdout.isatty() else 180)
+    path = args.out / "results.json"
+    announce_replaced("heli-evaluate", path, *([args.report] if args.report else []))
+    flights: list[Flight] = []
     try:
-        flights = evaluate(args, console)
-    except ValueError as error:
-        sys.exit(f"heli-evaluate: {error}")
-    rows = summarise(flights)
+        evaluate(args, console, flights)
+    except KeyboardInterrupt:
+        if not flights:
+            raise
+        write_results(path, args, flights, [], "interrupted")
+        raise KeyboardInterrupt(f"the {len(flights)} flights so far are in {path}") from None
+    is_papers = args.reference == PAPERS_REFERENCE
+    unconstrained, constrained = plan_unconstrained(Maneuver()), plan(Maneuver())
+    numbers = paper_numbers(unconstrained, constrained, Maneuver()) if is_papers else []
+    rows = write_results(path, args, flights, numbers)
     console.print(results_table(rows, args))
-
-    maneuver = Maneuver()
-    unconstrained, constrained = plan_unconstrained(maneuver), plan(maneuver)
-    numbers = paper_numbers(unconstrained, constrained, maneuver)
-    table = Table(title="The paper's numbers")
-    for name in ("what", "paper", "here"):
-        table.add_column(name)
-    for number in numbers:
-        table.add_row(*number.values())
-    console.print(table)
-
-    results = {
-        "version": version("heli-gym"),
-        "settings": {name: str(value) if isinstance(value, Path) else value for name, value in asdict(args).items()},
-        "paper": numbers,
-        "summary": rows,
-        "flights": [flight_row(flight) for flight in flights],
-    }
-    with atomic_write(args.out / "results.json") as file:
-        file.write(json.dumps(results, indent=1).encode())
-    if args.figures:
-        draw_figures(args, unconstrained, constrained, console)
+    if numbers:
+        table = Table(title="The paper's numbers")
+        for name in ("what", "paper", "here"):
+            table.add_column(name)
+        for number in numbers:
+            table.add_row(*number.values())
+        console.print(table)
     if args.report is not None:
         write_report(
             args.report,
@@ -309,7 +309,28 @@ def main(args: Args | None = None) -> None:
             flights=report_flights(flights),
         )
         console.print(f"report: {args.report}")
+    if args.figures:
+        draw_figures(args, unconstrained, constrained, console)
     console.print(f"written to {args.out}")
+
+
+def write_results(
+    path: Path, args: Args, flights: Sequence[Flight], numbers: list[dict[str, Any]], state: str = "complete"
+) -> list[dict[str, Any]]:
+    """Write results.json, and return the rows of its summary."""
+    rows = summarise(flights)
+    settings = {name: str(value) if isinstance(value, Path) else value for name, value in asdict(args).items()}
+    results = {
+        "version": version("heli-gym"),
+        "state": state,
+        "settings": settings,
+        "paper": numbers,
+        "summary": rows,
+        "flights": [flight_row(flight) for flight in flights],
+    }
+    with atomic_write(path) as file:
+        file.write(json.dumps(results, indent=1).encode())
+    return rows
 
 
 if __name__ == "__main__":

@@ -1,21 +1,20 @@
 """`heli-film`: flights of several policies side by side, as a GIF."""
 
 import math
-import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import gymnasium as gym
 import numpy as np
-import tyro
 
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.evaluation.rollout import fly
+from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.rendering import Renderer, RenderState
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, check_folder
 from heli_gym.trajectory import Trajectory
 
 COLOURS = 96  # of the GIF; most are shades of grey
@@ -104,24 +103,29 @@ def delay(frame_time: float) -> int:
 
 def main(args: Args | None = None) -> None:
     """The command `heli-film`."""
-    args = args or tyro.cli(Args, prog="heli-film")
-    try:
-        if not args.policies or len(set(args.policies)) < len(args.policies):
-            raise ValueError(f"policies = {args.policies}: must name at least one, and none twice")
-        if args.seed < 0:
-            raise ValueError(f"seed = {args.seed}: must be at least 0")
-        if args.out.suffix != ".gif":
-            raise ValueError(f"out = {str(args.out)!r}: must end in .gif")
-        delay(args.frame_time)
-        env = Heli3DOFEnv(args.plant, args.reference)
-        policies = {
-            name: make_policy(name, env.reference, env.control_period, voltage_limits=env.voltage_limits)
-            for name in args.policies
-        }
-        flights = {name: fly(env, policy, seed=args.seed) for name, policy in policies.items()}
-        write_gif(film(flights, env, args.width, args.frame_time), args.frame_time, args.out)
-    except (ValueError, gym.error.DependencyNotInstalled) as error:
-        sys.exit(f"heli-film: {error}")
+    with command("heli-film"):
+        run(args or parse(Args, "heli-film"))
+
+
+def run(args: Args) -> None:
+    """Fly, film and write."""
+    if not args.policies or len(set(args.policies)) < len(args.policies):
+        raise ValueError(f"policies = {args.policies}: must name at least one, and none twice")
+    if args.seed < 0:
+        raise ValueError(f"seed = {args.seed}: must be at least 0")
+    if args.out.suffix != ".gif" or args.out.is_dir():
+        raise ValueError(f"out = {str(args.out)!r}: must end in .gif")
+    delay(args.frame_time)
+    check_folder("out", args.out.parent)
+    Renderer(args.width)
+    env = Heli3DOFEnv(args.plant, args.reference)
+    policies = {
+        name: make_policy(name, env.reference, env.control_period, voltage_limits=env.voltage_limits)
+        for name in args.policies
+    }
+    announce_replaced("heli-film", args.out)
+    flights = {name: fly(env, policy, seed=args.seed) for name, policy in policies.items()}
+    write_gif(film(flights, env, args.width, args.frame_time), args.frame_time, args.out)
     print(f"{args.out}: {args.out.stat().st_size / 1e6:.2f} MB")
 
 

@@ -1,7 +1,6 @@
 """`heli-log`: draw a measured flight, by itself or with a plan."""
 
 import math
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
@@ -12,6 +11,7 @@ import tyro
 from heli_gym.baselines.evaluation import log_figures
 from heli_gym.baselines.evaluation.figures import DPI
 from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog
+from heli_gym.cli import command, parse
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.trajectory import Trajectory
 
@@ -60,18 +60,8 @@ def run(args: Args) -> None:
 
 def main(args: Args | None = None) -> None:
     """The command `heli-log`."""
-    args = args or tyro.cli(Args, prog="heli-log")
-    try:
-        run(args)
-    except (ValueError, ImportError) as error:
-        print(f"heli-log: {error}", file=sys.stderr)
-        sys.exit(2)
-    except OSError as error:
-        print(f"heli-log: {error}", file=sys.stderr)
-        sys.exit(1)
-    except KeyboardInterrupt:
-        print("heli-log: interrupted", file=sys.stderr)
-        sys.exit(130)
+    with command("heli-log"):
+        run(args or parse(Args, "heli-log"))
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@ Most are plans of Section III-D from rest to rest. The elevation sine and the ta
 over time, which by (3) determines the pitch, the thrusts and so the voltages.
 """
 
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -12,13 +11,13 @@ from math import atan2, pi, radians
 from pathlib import Path
 
 import numpy as np
-import tyro
 from numpy.polynomial import Polynomial
 from rich.console import Console
 from scipy.interpolate import make_interp_spline, make_lsq_spline
 
 from heli_gym.baselines.paper.normal_form import feedforward
 from heli_gym.baselines.planning.planner import plan
+from heli_gym.cli import command, parse
 from heli_gym.env import REFERENCES
 from heli_gym.model import fan_thrusts, voltage
 from heli_gym.parameters import HelicopterParameters, Limits
@@ -149,12 +148,14 @@ class Args:
 
 def main(args: Args | None = None) -> None:
     """The command `heli-make-references`."""
-    args = args or tyro.cli(Args, prog="heli-make-references", description=__doc__)
+    with command("heli-make-references"):
+        run(args or parse(Args, "heli-make-references", __doc__))
+
+
+def run(args: Args) -> None:
+    """Solve and store one reference after the other."""
     console = Console()
-    try:
-        check_folder("out", args.out)
-    except ValueError as error:
-        sys.exit(f"heli-make-references: {error}")
+    check_folder("out", args.out)
     for name in SUITE:
         reference = packaged(name)
         path = args.out / f"{name}.npz"

@@ -1,6 +1,5 @@
 """`heli-plan`: plan a maneuver, print what it takes, save it and draw it."""
 
-import sys
 import time
 from dataclasses import dataclass
 from math import degrees, isfinite, radians
@@ -8,12 +7,11 @@ from pathlib import Path
 from typing import Literal
 
 import numpy as np
-import tyro
 from rich.console import Console
 
 from heli_gym.baselines.evaluation import figures
-from heli_gym.baselines.planning.feasibility import InfeasibleManeuver
 from heli_gym.baselines.planning.planner import plan, plan_fastest
+from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.parameters import Limits
 from heli_gym.storage import check_folder
 from heli_gym.trajectory import Maneuver, Trajectory
@@ -78,19 +76,22 @@ def plan_requested(maneuver: Maneuver, args: Args) -> Trajectory:
 
 def main(args: Args | None = None) -> None:
     """The command `heli-plan`."""
-    args = args or tyro.cli(Args, prog="heli-plan")
+    with command("heli-plan"):
+        run(args or parse(Args, "heli-plan"))
+
+
+def run(args: Args) -> None:
+    """Plan, save, and then print and draw."""
     console = Console()
     began = time.perf_counter()
-    try:
-        if args.out.suffix != ".npz" or args.out.is_dir():
-            raise ValueError(f"out = {str(args.out)!r}: must end in .npz")
-        check_folder("out", args.out.parent)
-        maneuver = requested_maneuver(args)
-        trajectory = plan_requested(maneuver, args)
-        console.print(f"{maneuver}: planned in {time.perf_counter() - began:.2f} s")
-        trajectory.save(args.out)
-    except (ValueError, ImportError, InfeasibleManeuver) as error:
-        sys.exit(f"heli-plan: {error}")
+    if args.out.suffix != ".npz" or args.out.is_dir():
+        raise ValueError(f"out = {str(args.out)!r}: must end in .npz")
+    check_folder("out", args.out.parent)
+    maneuver = requested_maneuver(args)
+    trajectory = plan_requested(maneuver, args)
+    announce_replaced("heli-plan", args.out)
+    trajectory.save(args.out)
+    console.print(f"{maneuver}: planned in {time.perf_counter() - began:.2f} s")
     pitch = np.degrees(trajectory.x[4])
     console.print(
         f"{trajectory.duration:.3f} s, pitch {pitch.min():.2f}° to {pitch.max():.2f}°, voltages "

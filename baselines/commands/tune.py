@@ -11,21 +11,24 @@ With --store, the weights are kept for the policy `NAME@PLANT`: `--policy kalman
 """
 
 from dataclasses import astuple, dataclass, fields, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
-import tyro
 from rich.console import Console
 from rich.progress import Progress
 from scipy.optimize import differential_evolution
 from scipy.stats.qmc import LatinHypercube, scale
 
+from heli_gym.baselines.control import weights as weights_of_plants
 from heli_gym.baselines.control.discrete_lqr import Weights
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.weights import WEIGHTS, store_weights
 from heli_gym.baselines.evaluation.metrics import crash_cost, tracking_reward
+from heli_gym.cli import command, parse
 from heli_gym.env import find_reference
+from heli_gym.plant import PLANTS
+from heli_gym.storage import check_folder
 from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
@@ -101,11 +104,36 @@ def returns(envs: Heli3DOFVectorEnv, policy: Policy, seed: int, objective: str =
 
 
 def main(args: Args | None = None) -> None:
-    """Search, then print the weights and what they are worth."""
-    args = args or tyro.cli(Args, prog="heli-tune", description=__doc__)
-    console = Console()
+    """The command `heli-tune`."""
+    with command("heli-tune"):
+        run(args or parse(Args, "heli-tune", __doc__))
+
+
+def check(args: Args) -> None:
+    """Raises ValueError for settings that make no sense, OSError if weights cannot be stored."""
     if args.store and len(args.plants) != 1:
         raise ValueError(f"plants = {args.plants}: must be a single one with store")
+    if not args.plants:
+        raise ValueError("plants = (): must name at least one")
+    if args.store and args.plants[0] not in PLANTS:
+        raise ValueError(f"plant = {args.plants[0]!r}: must be one of {', '.join(map(repr, PLANTS))}")
+    for name, least in (("draws", 1), ("population", 5), ("candidates", args.population), ("seed", 0)):
+        if getattr(args, name) < least:
+            raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least}")
+    if args.store:
+        check_folder("the folder of stored weights", weights_of_plants.TUNED)
+
+
+def print_weights(weights: Weights, console: Console) -> None:
+    """One line for each."""
+    for name, value in zip((field.name for field in fields(weights)), astuple(weights)):
+        console.print(f"{name} = {value:.3g}")
+
+
+def run(args: Args) -> None:
+    """Search, then store and print the weights and what they are worth; interrupted, the best so far are printed."""
+    check(args)
+    console = Console()
     reference = find_reference(args.reference)
     envs = [Heli3DOFVectorEnv(args.draws, plant, reference, start_spread_deg=START_SPREAD_DEG) for plant in args.plants]
     in_use = WEIGHTS[args.policy]
@@ -120,29 +148,38 @@ def main(args: Args | None = None) -> None:
     population[0] = [np.log10(getattr(in_use, name)) for name in names]
     near, rng = slice(1, args.population // 2), np.random.default_rng(args.seed)
     population[near] = np.clip(population[0] + NEAR * rng.standard_normal(population[near].shape), low, high)
-    with Progress(console=console) as progress:
-        generations = max(1, args.candidates // args.population - 1)
-        task = progress.add_task("tuning", total=generations)
-        result = differential_evolution(
-            lambda decades: -mean_return(with_decades(in_use, decades), args.seed),
-            list(zip(low, high)),
-            init=population,
-            maxiter=generations,
-            tol=0.0,  # the budget is used up
-            rng=args.seed,
-            polish=False,
-            callback=lambda intermediate_result: progress.update(
-                task, advance=1, description=f"tuning, best return {-intermediate_result.fun:.3f}"
-            ),
-        )
+    generations = max(1, args.candidates // args.population - 1)
+    best_so_far = in_use
+
+    def note_progress(intermediate_result: Any) -> None:
+        nonlocal best_so_far
+        best_so_far = with_decades(in_use, intermediate_result.x)
+        progress.update(task, advance=1, description=f"tuning, best return {-intermediate_result.fun:.3f}")
+
+    try:
+        with Progress(console=console) as progress:
+            task = progress.add_task("tuning", total=generations)
+            result = differential_evolution(
+                lambda decades: -mean_return(with_decades(in_use, decades), args.seed),
+                list(zip(low, high)),
+                init=population,
+                maxiter=generations,
+                tol=0.0,  # the budget is used up
+                rng=args.seed,
+                polish=False,
+                callback=note_progress,
+            )
+    except KeyboardInterrupt:
+        print_weights(best_so_far, console)
+        raise KeyboardInterrupt("the best weights so far are printed, none stored") from None
     tuned = with_decades(in_use, result.x)
-    for name, value in zip((field.name for field in fields(tuned)), astuple(tuned)):
-        console.print(f"{name} = {value:.3g}")
+    if args.store:
+        store_weights(args.policy, args.plants[0], tuned)
+    print_weights(tuned, console)
     for label, weights in (("in use", in_use), ("tuned", tuned)):
         tuned_on, held_out = (mean_return(weights, seed) for seed in (args.seed, args.seed + args.draws))
         console.print(f"{label}: mean return {tuned_on:.3f} on the draws tuned on, {held_out:.3f} on others")
     if args.store:
-        store_weights(args.policy, args.plants[0], tuned)
         console.print(f"stored for {args.policy}@{args.plants[0]}")
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from heli_gym.baselines.control.discrete_lqr import IntegralWeights, Weights
 from heli_gym.baselines.control.estimation import Noise
 from heli_gym.baselines.paper import tvlqr
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, locked
 
 TUNED = Path(__file__).parent / "tuned"  # weights for single plants, a file each
 
@@ -95,10 +95,11 @@ WEIGHTS: dict[str, Weights] = {  # of those that can be tuned
 def store_weights(name: str, plant: str, weights: Weights) -> None:
     """Keeps the weights of a policy for a plant, atomically: those that `name@plant` flies with."""
     path = TUNED / f"{plant}.json"
-    known = json.loads(path.read_text()) if path.is_file() else {}
     rounded = {key: float(f"{value:.4g}") for key, value in asdict(weights).items()}
-    with atomic_write(path) as file:
-        file.write((json.dumps({**known, name: rounded}, indent=2, sort_keys=True) + "\n").encode())
+    with locked(path):
+        known = json.loads(path.read_text()) if path.is_file() else {}
+        with atomic_write(path) as file:
+            file.write((json.dumps({**known, name: rounded}, indent=2, sort_keys=True) + "\n").encode())
 
 
 def stored_weights(name: str, plant: str) -> Weights:

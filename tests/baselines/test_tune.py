@@ -112,7 +112,7 @@ def test_the_return_of_tracking_is_what_an_agent_that_does_nothing_earns_on_top_
 
 
 def test_weights_are_stored_for_one_plant_only(tmp_path, monkeypatch):
-    with pytest.raises(ValueError, match="plants = "):
+    with pytest.raises(SystemExit, match="heli-tune: plants = "):
         tune.main(tune.Args(store=True))
     monkeypatch.setattr(tune, "returns", lambda envs, policy, seed, objective: np.zeros(2))
     monkeypatch.setattr("heli_gym.baselines.control.weights.TUNED", tmp_path)

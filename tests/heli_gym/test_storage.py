@@ -2,11 +2,15 @@
 
 import multiprocessing
 import os
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import writers
 
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, check_folder
 
 
 @pytest.mark.parametrize("kind", [str, lambda path: path], ids=["str", "Path"])
@@ -60,3 +64,82 @@ def test_of_two_processes_that_write_at_once_one_wins_whole(tmp_path):
     content = (tmp_path / "file").read_bytes()
     assert content in (b"a" * 100_000, b"b" * 100_000)
     assert os.listdir(tmp_path) == ["file"]
+
+
+def test_threads_that_write_the_same_file_at_once_all_succeed(tmp_path):
+    path = tmp_path / "file"
+
+    def write_often(byte):
+        for _ in range(50):
+            with atomic_write(path) as file:
+                file.write(byte * 1000)
+
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(write_often, (b"a", b"b", b"c", b"d")))
+    assert len(set(path.read_bytes())) == 1
+    assert os.listdir(tmp_path) == ["file"]
+
+
+@pytest.mark.parametrize("name", [".file.{}.tmp", ".file.{}-0123abcd.tmp"])
+def test_what_a_kill_left_is_removed_by_the_next_write_and_what_is_being_written_stays(tmp_path, name):
+    gone = subprocess.Popen([sys.executable, "-c", ""])
+    gone.wait()
+    (tmp_path / name.format(gone.pid)).write_bytes(b"half")
+    (tmp_path / ".other.1.tmp").write_bytes(b"of another file")
+    with atomic_write(tmp_path / "file") as outer:
+        outer.write(b"outer")
+        with atomic_write(tmp_path / "file") as inner:
+            inner.write(b"inner")
+    assert (tmp_path / "file").read_bytes() == b"outer"
+    assert sorted(os.listdir(tmp_path)) == [".other.1.tmp", "file"]
+
+
+def test_a_kill_in_the_middle_of_writing_leaves_the_old_file_and_no_litter_for_long(tmp_path):
+    code = (
+        "import os, sys; from heli_gym.storage import atomic_write\n"
+        "with atomic_write(sys.argv[1]) as file:\n    file.write(b'half'); file.flush(); os.kill(os.getpid(), 9)"
+    )
+    path = tmp_path / "file"
+    path.write_bytes(b"old")
+    assert subprocess.run([sys.executable, "-c", code, str(path)]).returncode == -9
+    assert path.read_bytes() == b"old"
+    assert len(os.listdir(tmp_path)) == 2
+    with atomic_write(path) as file:
+        file.write(b"new")
+    assert os.listdir(tmp_path) == ["file"]
+
+
+def test_nothing_is_lost_of_what_processes_and_threads_change_at_once(tmp_path):
+    path = tmp_path / "count"
+    context = multiprocessing.get_context("spawn")
+    processes = [context.Process(target=writers.count_up, args=(path, 50)) for _ in range(2)]
+    for process in processes:
+        process.start()
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(writers.count_up, (path, path), (50, 50)))
+    for process in processes:
+        process.join()
+        assert process.exitcode == 0
+    assert path.read_text() == "200"
+    assert os.listdir(tmp_path) == ["count"]
+
+
+def test_a_folder_that_cannot_be_written_to_is_refused_before_anything_is_made(tmp_path, monkeypatch):
+    check_folder("out", tmp_path / "new" / "folder")
+    assert os.listdir(tmp_path) == []
+    (tmp_path / "file").write_bytes(b"")
+    with pytest.raises(ValueError, match=r"out = .*/x': must be a folder, but .*file' is a file"):
+        check_folder("out", tmp_path / "file" / "x")
+    with pytest.raises(ValueError, match=r"out = 'a.x00b': must be a path"):
+        check_folder("out", "a\0b")
+    with pytest.raises(OSError) as refusal:
+        check_folder("out", "/proc/self/new")
+    assert refusal.value.filename == "/proc/self/new"
+
+    def full(*args, **kwargs):
+        raise OSError(28, "No space left on device", "/somewhere/else")
+
+    monkeypatch.setattr(tempfile, "TemporaryFile", full)
+    with pytest.raises(OSError, match="No space left on device") as refusal:
+        check_folder("out", tmp_path / "new")
+    assert refusal.value.filename == str(tmp_path / "new")

@@ -1,0 +1,180 @@
+"""How every command begins and ends: its arguments, and one line instead of a traceback.
+
+Exit status 0: done. 1: the operating system, or a solver, gave up. 2: the input was refused. 130: Ctrl-C.
+"""
+
+import contextlib
+import importlib
+import io
+import os
+import re
+import sys
+from collections.abc import Callable, Iterator
+from functools import partial
+from importlib import metadata
+from itertools import groupby
+from pathlib import Path
+from typing import NoReturn, TypeVar
+
+Args = TypeVar("Args")
+
+COMMANDS = {
+    "heli-compare-planners": "heli_gym.baselines.commands.compare_planners",
+    "heli-demo": "heli_gym.baselines.commands.demo",
+    "heli-evaluate": "heli_gym.baselines.commands.evaluate",
+    "heli-export-onnx": "heli_gym.train.export_onnx",
+    "heli-film": "heli_gym.baselines.commands.film",
+    "heli-log": "heli_gym.baselines.commands.log",
+    "heli-make-references": "heli_gym.baselines.commands.make_references",
+    "heli-plan": "heli_gym.baselines.commands.plan_maneuver",
+    "heli-play": "heli_gym.play",
+    "heli-results": "heli_gym.train.results",
+    "heli-train": "heli_gym.train.train",
+    "heli-tune": "heli_gym.baselines.commands.tune",
+}
+IMPORTED_AS = {"pygame-ce": "pygame", "pillow": "PIL"}  # distributions whose modules are called otherwise
+
+
+class CommandError(SystemExit):
+    """Ends a command with a status, its line having been printed on standard error."""
+
+    def __init__(self, line: str, status: int) -> None:
+        super().__init__(line)
+        self.code = status
+
+
+def __getattr__(name: str) -> Callable[[], None]:
+    """The entry point of a command, `plan` for `heli-plan`: imports its module only inside `command`."""
+    program = f"heli-{name.replace('_', '-')}"
+    if program not in COMMANDS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return partial(run, program)
+
+
+def run(program: str) -> None:
+    """Run a command, whatever of it is installed."""
+    with command(program):
+        print_version(program, sys.argv[1:])
+        importlib.import_module(COMMANDS[program]).main()
+
+
+@contextlib.contextmanager
+def command(program: str) -> Iterator[None]:
+    """What a command does, ended by one line on standard error and a status where it cannot go on.
+
+    Raises `CommandError`, a SystemExit: status 2 for ValueError and missing packages, 1 for OSError, RuntimeError and
+    MemoryError, 130 for KeyboardInterrupt, whose argument, if it has one, says what was done.
+    """
+    prepare_output()
+    try:
+        yield
+        flush_output()
+    except BrokenPipeError:  # whoever read the output has seen enough
+        discard_output()
+        raise CommandError(f"{program}: broken pipe", 1) from None
+    except KeyboardInterrupt as error:
+        end(program, "; ".join(("interrupted", *map(str, error.args))), 130)
+    except ImportError as error:
+        end(program, missing(error), 2)
+    except OSError as error:
+        if error.filename is None:
+            discard_output()  # most likely it was standard output that failed
+        end(program, describe(error), 1)
+    except (ValueError, ArithmeticError) as error:
+        end(program, str(error), 2)
+    except (RuntimeError, MemoryError) as error:
+        end(program, str(error) or type(error).__name__, 2 if refuses(error) else 1)
+    except Exception as error:
+        if not refuses(error):
+            raise
+        end(program, str(error), 2)
+
+
+def refuses(error: Exception) -> bool:
+    """Whether an exception that is no ValueError refuses an input: a maneuver, a missing library, a damaged file."""
+    return type(error).__name__ in ("InfeasibleManeuver", "DependencyNotInstalled", "SafetensorError", "BadZipFile")
+
+
+def end(program: str, reason: str, status: int) -> NoReturn:
+    """Print why a command ends, in one line, and end it."""
+    line = f"{program}: {' '.join(reason.split())}"
+    try:
+        flush_output()
+    except OSError:
+        discard_output()
+    with contextlib.suppress(OSError, ValueError, AttributeError):
+        print(line, file=sys.stderr, flush=True)
+    raise CommandError(line, status) from None
+
+
+def describe(error: OSError) -> str:
+    """The file and what the operating system says of it."""
+    reason = error.strerror or str(error)
+    return reason if error.filename is None else f"{os.fsdecode(error.filename)}: {reason}"
+
+
+def missing(error: ImportError) -> str:
+    """Which extra of the package brings what is missing."""
+    module = (error.name or "").partition(".")[0]
+    for requirement in metadata.requires("heli-gym") or ():
+        name, _, condition = requirement.partition(";")
+        distribution = re.split(r"[^\w.-]", name.strip())[0].lower()
+        extra = re.search(r"extra == ['\"](\w+)['\"]", condition)
+        if extra and IMPORTED_AS.get(distribution, distribution.replace("-", "_")) == module:
+            return f'{module} is not installed: `pip install "heli-gym[{extra[1]}]"` brings it'
+    return str(error)
+
+
+def parse(arguments: type[Args], program: str, description: str | None = None) -> Args:
+    """The arguments of the command line, by tyro; `--version` and what tyro refuses end the command."""
+    tyro = importlib.import_module("tyro")  # an extra brings it
+    print_version(program, sys.argv[1:])
+    complaint = io.StringIO()
+    try:
+        with contextlib.redirect_stderr(complaint):
+            return tyro.cli(arguments, prog=program, description=description)
+    except SystemExit as error:
+        if error.code != 2:
+            raise
+        lines = [line.strip("│╭╮╰╯─|+-— ") for line in complaint.getvalue().splitlines()]
+        # a box: its title, perhaps a rule, the reason, and after another rule what would have been allowed
+        parts = [" ".join(part) for rule, part in groupby(lines[1:], lambda line: not line) if not rule]
+        end(program, f"{parts[0] if parts else 'bad arguments'}; see {program} --help", 2)
+
+
+def print_version(program: str, arguments: list[str]) -> None:
+    """Print the version and end, if that is what the arguments are."""
+    if "--version" in arguments:
+        print(f"{program} {metadata.version('heli-gym')}")
+        flush_output()
+        raise SystemExit(0)
+
+
+def prepare_output() -> None:
+    """Make standard output one that can be written to: closed, it is discarded; what it cannot encode is replaced."""
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        if stream is None:
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
+        elif isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
+
+
+def flush_output() -> None:
+    """Write what is buffered, so that a full disk or a closed pipe is noticed while it can be said."""
+    if sys.stdout is not None:
+        sys.stdout.flush()
+
+
+def discard_output() -> None:
+    """Let standard output go nowhere, so that Python, at its end, does not fail once more."""
+    with contextlib.suppress(OSError, ValueError, AttributeError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def announce_replaced(program: str, *paths: Path) -> None:
+    """Say, on standard error, which earlier results the command is going to replace."""
+    earlier = [str(path) for path in paths if path.exists()]
+    if earlier:
+        with contextlib.suppress(OSError, ValueError, AttributeError):
+            print(f"{program}: replaces {', '.join(earlier)} of an earlier run", file=sys.stderr, flush=True)
