@@ -126,7 +126,7 @@ class Rig:
     sensor_signs: tuple[int, int, int] = (1, 1, 1)
     sensor_zeros: tuple[float, float, float] = (0.0, 0.0, 0.0)
     limits: Limits = None  # type: ignore[assignment]
-    source: str = field(default="", compare=False)
+    source: str = field(default="", compare=False, repr=False)
 
     def __post_init__(self) -> None:
         for name in ("name", "source"):
@@ -354,17 +354,45 @@ class Rig:
 
 def same_dynamics(one: Rig, other: Rig) -> bool:
     """Whether two rigs have the same coefficients and thrust map, whatever they are called."""
-    return one.parameters == other.parameters and one.thrust_map == other.thrust_map
+    return (one.parameters, one.thrust_map) == (other.parameters, other.thrust_map)
+
+
+def check_same_rig(what: str, rig: Rig, other: Rig, where: str) -> None:
+    """Raises ValueError, which names what differs, unless two rigs have the same coefficients and thrust map.
+
+    `what` is for the one rig, and `where` it is used is the other.
+    """
+    if not same_dynamics(rig, other):
+        names = f"{rig.name!r}" if rig.name != other.name else f"another {rig.name!r}"
+        found = [text for text in rig.differences(other) if text[:2] in COEFFICIENTS or text.startswith("thrust map")]
+        raise ValueError(f"{what} is for the rig {names}, and {where} is {other.name!r}: {'; '.join(found)}")
 
 
 PAPER = Rig("paper", limits=Limits(), source="Kiefer, Graichen, Kugi (2010), Table I and (9)")
+UNNAMED = "unnamed"  # rigs of which only the coefficients are known
 
 
-def rig_of(parameters: HelicopterParameters, limits: Limits | None = None) -> Rig:
-    """The paper's rig with other parameters, for callers that know no more than these."""
-    if parameters == PAPER.parameters:
+def rig_of(parameters: HelicopterParameters, limits: Limits = Limits()) -> Rig:
+    """The paper's rig with other coefficients and (2) as its thrust map, for callers that know no more.
+
+    Its amplifiers and pitch stop are wide enough for the limits.
+    """
+    if not isinstance(parameters, HelicopterParameters):
+        raise ValueError(f"parameters = {parameters!r}: must be HelicopterParameters")
+    if parameters == PAPER.parameters and limits == PAPER.limits:
         return PAPER
-    return Rig("unnamed", parameters, **({} if limits is None else {"limits": limits}))  # type: ignore[arg-type]
+    low, high = PAPER.voltage_limits
+    pitch = max(PAPER.pitch_limit, limits.pitch_max, -limits.pitch_min)
+    wide = (min(low, limits.u_min), max(high, limits.u_max))
+    name = PAPER.name if parameters == PAPER.parameters else UNNAMED
+    return Rig(name, parameters, voltage_limits=wide, pitch_limit=pitch, limits=limits)
+
+
+def assumed_rig(reference: Any, rig: "str | os.PathLike | Rig | HelicopterParameters | None" = None) -> Rig:
+    """The rig that a controller assumes: the one given, the paper's with parameters given, or the reference's."""
+    if rig is None or rig == reference.rig.parameters:
+        return reference.rig
+    return rig_of(rig) if isinstance(rig, HelicopterParameters) else find_rig(rig)
 
 
 def rig_names() -> list[str]:

@@ -155,7 +155,7 @@ class ThrustMap:
     front: ThrustCurve
     back: ThrustCurve
 
-    @property
+    @cached_property
     def is_quadratic(self) -> bool:
         """Whether it is (2): one pair of coefficients for both rotors."""
         same = self.front == self.back and isinstance(self.front, PowerCurve)

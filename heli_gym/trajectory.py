@@ -9,8 +9,9 @@ from typing import Protocol
 
 import numpy as np
 
-from heli_gym.model import hover_input, thrust, voltage
+from heli_gym.model import hover_input
 from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.rig import PAPER, UNNAMED, Rig, check_same_rig, find_rig, rig_of
 from heli_gym.storage import atomic_write
 
 LARGEST_GAP = 1e-9  # rad and rad/s, between the end of a trajectory and the start of the one that is joined to it
@@ -24,23 +25,45 @@ class Maneuver:
         start: travel and elevation in rad at the start.
         goal: travel and elevation in rad at the end.
         duration: transition time T in s.
-        limits: voltages and pitch that the plan may use, (6) and (7).
-        parameters: the helicopter that flies.
+        limits: voltages and pitch that the plan may use, (6) and (7); by default the rig's, which for the paper's are
+            (9).
+        parameters: the coefficients of (3), the rig's by default; without a rig, of (2) and (3).
+        rig: the rig that flies, or its name or file; "paper" by default.
 
     Raises:
-        ValueError: if a value is not finite, the duration is not positive, or hover at the start or at
-            the goal needs voltages outside the limits.
+        ValueError: if a value is not finite, the duration is not positive, hover at the start or at the goal needs
+            voltages outside the limits, or parameters and rig contradict each other.
     """
 
     start: tuple[float, float] = (0.0, 0.0)
     goal: tuple[float, float] = (2.0 * math.pi, 0.0)
     duration: float = 10.0
-    limits: Limits = field(default_factory=Limits)
-    parameters: HelicopterParameters = field(default_factory=HelicopterParameters)
+    limits: Limits = None  # type: ignore[assignment]
+    parameters: HelicopterParameters = None  # type: ignore[assignment]
+    rig: Rig = None  # type: ignore[assignment]
 
     def __post_init__(self) -> None:
-        if not isinstance(self.limits, Limits):
+        if not isinstance(self.limits, Limits | None):
             raise ValueError(f"limits = {self.limits!r}: must be a Limits")
+        rig = None if self.rig is None else find_rig(self.rig)
+        if rig is None or self.parameters not in (None, rig.parameters):
+            if rig is not None and rig.name not in (PAPER.name, UNNAMED):
+                raise ValueError(f"parameters = {self.parameters}: must be those of the rig {rig.name!r}, or no others")
+            parameters = PAPER.parameters if self.parameters is None else self.parameters
+            rig = rig_of(parameters, self.limits or Limits())
+        object.__setattr__(self, "rig", rig)
+        object.__setattr__(self, "parameters", rig.parameters)
+        object.__setattr__(self, "limits", self.limits or rig.limits)
+        low, high = rig.voltage_limits
+        if not low <= self.limits.u_min < self.limits.u_max <= high:
+            raise ValueError(
+                f"limits = {self.limits}: must be within the {low:g} to {high:g} V of the rig {rig.name!r}'s amplifiers"
+            )
+        if max(self.limits.pitch_max, -self.limits.pitch_min) > rig.pitch_limit:
+            raise ValueError(
+                f"limits = {self.limits}: must be within the pitch limit of the rig {rig.name!r}, "
+                f"{math.degrees(rig.pitch_limit):g} deg"
+            )
         if not (isinstance(self.duration, Real) and math.isfinite(self.duration) and self.duration > 0.0):
             raise ValueError(f"duration = {self.duration!r}: must be a positive, finite number of seconds")
         for name in ("start", "goal"):
@@ -50,13 +73,13 @@ class Maneuver:
             object.__setattr__(self, name, (float(point[0]), float(point[1])))
             elevation = float(point[1])
             thrust_sum = float(hover_input(elevation, self.parameters)[0])
-            low, high = 2.0 * thrust(np.array(self.limits.u), self.parameters)
-            if abs(elevation) >= math.pi / 2 or not low < thrust_sum < high:
-                hover_voltage = float(voltage(0.5 * thrust_sum, self.parameters))
+            low, high = rig.thrust_bounds(self.limits.u)
+            if abs(elevation) >= math.pi / 2 or not low < 0.5 * thrust_sum < high:
+                front, back = rig.hover_voltage(elevation)
+                volts = f"{front:.2f} V on each motor" if front == back else f"{front:.2f} and {back:.2f} V"
                 raise ValueError(
                     f"{name} = {getattr(self, name)!r}: hover at elevation {math.degrees(elevation):.2f} deg takes "
-                    f"{hover_voltage:.2f} V on each motor, and the limits are {self.limits.u_min:g} to "
-                    f"{self.limits.u_max:g} V"
+                    f"{volts}, and the limits are {self.limits.u_min:g} to {self.limits.u_max:g} V"
                 )
 
     def __str__(self) -> str:
@@ -77,6 +100,7 @@ class Trajectory:
         u: (2, K) voltages (front, back) in V. Those of a plan are linear in between; those of a flight were held from
             each sample to the next.
         limits: the limits it was planned under, (9) by default.
+        rig: the rig that it is for or of, the paper's by default.
 
     Raises:
         ValueError: if a shape does not fit, a value is not finite, or t does not increase from 0.
@@ -86,8 +110,11 @@ class Trajectory:
     x: np.ndarray
     u: np.ndarray
     limits: Limits = field(default_factory=Limits)
+    rig: Rig = PAPER
 
     def __post_init__(self) -> None:
+        if not isinstance(self.rig, Rig):
+            raise ValueError(f"rig = {self.rig!r}: must be a Rig")
         for name in ("t", "x", "u"):
             value = np.array(getattr(self, name), dtype=float)
             value.setflags(write=False)
@@ -129,25 +156,34 @@ class Trajectory:
         return x, u
 
     def save(self, path: str | os.PathLike) -> None:
-        """Write to an .npz file, atomically and without pickle."""
+        """Write to an .npz file, with limits and rig, atomically and without pickle."""
         path = Path(path)
         if path.suffix != ".npz":
             raise ValueError(f"path = {str(path)!r}: must end in .npz")
         limits = np.array([*self.limits.u, *self.limits.pitch])
         with atomic_write(path) as file:
-            np.savez_compressed(file, t=self.t, x=self.x, u=self.u, limits=limits)
+            np.savez_compressed(file, t=self.t, x=self.x, u=self.u, limits=limits, rig=np.array(self.rig.to_toml()))
 
     @classmethod
-    def load(cls, path: str | os.PathLike) -> "Trajectory":
-        """Read what `save` wrote. Raises ValueError if the file is something else."""
+    def load(cls, path: str | os.PathLike, rig: "str | os.PathLike | Rig | None" = None) -> "Trajectory":
+        """Read what `save` wrote; files from before they knew their rig are the paper's.
+
+        Raises ValueError if the file is something else, or if it is for another rig than the one given, naming what
+        differs.
+        """
         try:
             # opened here, so that it is closed whatever it turns out to hold
             with open(path, "rb") as file, np.load(file, allow_pickle=False) as data:
-                return cls(data["t"], data["x"], data["u"], Limits(*(float(limit) for limit in data["limits"])))
+                limits = Limits(*(float(limit) for limit in data["limits"]))
+                own = Rig.from_toml(str(data["rig"])) if "rig" in data else PAPER
+                trajectory = cls(data["t"], data["x"], data["u"], limits, own)
         except OSError:
             raise
         except Exception as error:
             raise ValueError(f"path = {str(path)!r} holds no trajectory: {error}") from error
+        if rig is not None:
+            check_same_rig(f"path = {str(path)!r}", own, find_rig(rig), "the one that it is loaded for")
+        return trajectory
 
 
 class Sampler(Protocol):
@@ -173,6 +209,7 @@ def concatenate(first: Trajectory, second: Trajectory) -> Trajectory:
         )
     if first.limits != second.limits:
         raise ValueError(f"second: planned within {second.limits}, and the first within {first.limits}")
+    check_same_rig("second", second.rig, first.rig, "the first's")
     t = np.concatenate((first.t, first.duration + second.t[1:]))
     x, u = (np.concatenate((a, b[:, 1:]), axis=1) for a, b in ((first.x, second.x), (first.u, second.u)))
-    return Trajectory(t, x, u, first.limits)
+    return Trajectory(t, x, u, first.limits, first.rig)

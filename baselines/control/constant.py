@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from heli_gym.baselines.control.protocol import MemorylessPolicy
-from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
+from heli_gym.parameters import AMPLIFIER_LIMITS
+from heli_gym.rig import Rig
 from heli_gym.trajectory import Trajectory
 
 
@@ -29,11 +30,11 @@ class MiddleVoltage(MemorylessPolicy):
         return np.full((2, *np.shape(measurement)[1:]), 0.5 * sum(self.voltage_limits))
 
 
-def zero(reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> ConstantVoltage:
+def zero(reference: Trajectory, control_period: float, rig: Rig) -> ConstantVoltage:
     """Motors off."""
     return ConstantVoltage(0.0)
 
 
-def middle_voltage(reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> MiddleVoltage:
+def middle_voltage(reference: Trajectory, control_period: float, rig: Rig) -> MiddleVoltage:
     """The middle of the amplifier's range."""
-    return MiddleVoltage()
+    return MiddleVoltage(rig.voltage_limits)

@@ -15,15 +15,18 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from heli_gym.baselines.control.protocol import apply_gains
-from heli_gym.model import dynamics, linearise, rk4_step, thrust, virtual_input
+from heli_gym.model import dynamics, hover_input, linearise, rk4_step, virtual_input
 from heli_gym.parameters import HelicopterParameters
+from heli_gym.rig import Rig
 
 ANGLES = (0, 2, 4)  # in (44)
 RATES = (1, 3, 5)
 ENCODER_NOISE = 4e-4  # rad, standard deviation: the rounding of 4096 counts per revolution, 2 pi / 4096 / sqrt(12)
+ENCODER_COUNTS = 4096  # per revolution, for which that is
 SETTLED = 1.0  # s, from the start of a flight on, after which the filter has forgotten when that was
 START_DEVIATIONS = (0.05, 0.05, 0.2)  # of angles (rad), rates (rad/s) and disturbances (rad/s²), before a flight
-LEAST_LIFT = 0.2  # N, of the 0.6 N of hover, from which on disturbances are outweighed by a tilt
+# share of the thrust of hover from which on disturbances are outweighed by a tilt: 0.2 N of the paper's rig
+LEAST_LIFT = 0.2 / float(hover_input(0.0, HelicopterParameters())[0])
 
 
 class Actuator(NamedTuple):
@@ -36,22 +39,25 @@ class Actuator(NamedTuple):
 IDEAL = Actuator(0.0, 0)
 
 
+def nominal_actuator(rig: Rig, control_period: float) -> Actuator:
+    """The rig's nominal lag and delay, the latter in whole control periods."""
+    return Actuator(rig.lag, round(rig.delay / control_period))
+
+
 def rotor_response(w: Any, u: Any, lag: float, time: float) -> Any:
     """Rotor speeds (2, ...), as voltages in V, a time in s after they were w and the voltages u were switched on."""
     return u + (w - u) * math.exp(-time / lag) if lag else u
 
 
-def predict(
-    x: Any, w: Any, u: Any, disturbance: Any, dt: float, lag: float, parameters: HelicopterParameters
-) -> tuple[np.ndarray, Any]:
+def predict(x: Any, w: Any, u: Any, disturbance: Any, dt: float, lag: float, rig: Rig) -> tuple[np.ndarray, Any]:
     """State (6, ...) and rotor speeds (2, ...) after dt seconds at the voltages u (2, ...), by one Runge-Kutta step.
 
     The disturbance (3, ...) in rad/s² adds to the accelerations of travel, elevation and pitch.
     """
-    inputs = tuple(
-        virtual_input(thrust(rotor_response(w, u, lag, share * dt), parameters)) for share in (0.0, 0.5, 1.0)
+    inputs = tuple(virtual_input(rig.thrust(rotor_response(w, u, lag, share * dt))) for share in (0.0, 0.5, 1.0))
+    return np.stack(rk4_step(disturbed_dynamics, x, inputs, dt, disturbance, rig.parameters)), rotor_response(
+        w, u, lag, dt
     )
-    return np.stack(rk4_step(disturbed_dynamics, x, inputs, dt, disturbance, parameters)), rotor_response(w, u, lag, dt)
 
 
 def disturbed_dynamics(x: Any, v: Any, disturbance: Any, parameters: HelicopterParameters) -> tuple:
@@ -86,7 +92,19 @@ class Noise(NamedTuple):
     acceleration: float  # rad/s per sqrt(s): white acceleration, on every axis
 
 
-def kalman_gains(x: np.ndarray, v: np.ndarray, dt: float, parameters: HelicopterParameters, noise: Noise) -> np.ndarray:
+def encoder_noise(rig: Rig) -> float:
+    """Standard deviation in rad of the angles' rounding, by the coarsest of the rig's encoders."""
+    return ENCODER_NOISE * (ENCODER_COUNTS / min(rig.encoder_counts))
+
+
+def kalman_gains(
+    x: np.ndarray,
+    v: np.ndarray,
+    dt: float,
+    parameters: HelicopterParameters,
+    noise: Noise,
+    angle_noise: float = ENCODER_NOISE,
+) -> np.ndarray:
     """Gains (9, 3, K) from the innovations of the angles to the states and disturbances, from the start of a flight on.
 
     The flight is along a reference x (6, K), v (2, K), dt seconds apart. The filter's states are (44) and three
@@ -107,7 +125,7 @@ def kalman_gains(x: np.ndarray, v: np.ndarray, dt: float, parameters: Helicopter
     P = np.diag([on_angles**2, on_rates**2] * 3 + [on_disturbances**2] * 3)
     gains = np.empty((len(A), 9, 3))
     for k in range(len(A)):
-        S = P[np.ix_(ANGLES, ANGLES)] + ENCODER_NOISE**2 * np.eye(3)
+        S = P[np.ix_(ANGLES, ANGLES)] + angle_noise**2 * np.eye(3)
         L = gains[k] = np.linalg.solve(S, P[ANGLES, :]).T
         P = P - L @ P[ANGLES, :]
         P = transitions[k] @ P @ transitions[k].T + process[k]
@@ -116,11 +134,17 @@ def kalman_gains(x: np.ndarray, v: np.ndarray, dt: float, parameters: Helicopter
 
 
 def settling_gains(
-    x: np.ndarray, v: np.ndarray, dt: float, parameters: HelicopterParameters, noise: Noise, start: int
+    x: np.ndarray,
+    v: np.ndarray,
+    dt: float,
+    parameters: HelicopterParameters,
+    noise: Noise,
+    start: int,
+    angle_noise: float = ENCODER_NOISE,
 ) -> np.ndarray:
     """The first gains (9, 3, J) of `kalman_gains`, for a flight that begins at this index of the reference."""
     along = slice(start, start + settling_periods(dt))
-    return kalman_gains(x[:, along], v[:, along], dt, parameters, noise)
+    return kalman_gains(x[:, along], v[:, along], dt, parameters, noise, angle_noise)
 
 
 def settling_periods(dt: float) -> int:
@@ -181,9 +205,10 @@ def disturbance_accommodated_reference(
     v1, v2 = v
     on_travel, on_elevation, on_pitch = disturbance
     p = parameters
+    least_lift = LEAST_LIFT * -p.a2 / p.b2
     sideways = v1 * np.sin(q3) - on_travel / (p.b1 * np.cos(q2))
     upwards = v1 * np.cos(q3) - on_elevation / p.b2
-    tilt = np.clip(np.arctan2(sideways, np.maximum(upwards, LEAST_LIFT)), *pitch_limits)
+    tilt = np.clip(np.arctan2(sideways, np.maximum(upwards, least_lift)), *pitch_limits)
     held = v2 - (on_pitch + p.a3 * np.cos(q2) * (np.sin(tilt) - np.sin(q3))) / p.b3
     target = np.stack(np.broadcast_arrays(q1, dq1, q2, dq2, tilt, dq3))
     return target, np.stack(np.broadcast_arrays(np.hypot(sideways, upwards), held))

@@ -16,14 +16,17 @@ from heli_gym.baselines.control.estimation import (
     Actuator,
     Observer,
     disturbance_accommodated_reference,
+    encoder_noise,
     kalman_gains,
+    nominal_actuator,
     predict,
     settling_gains,
 )
 from heli_gym.baselines.control.protocol import StatefulPolicy, apply_gains, expand_batch_dims, step_index
 from heli_gym.baselines.control.weights import KALMAN_LQR, LAG_LQI, LAG_LQR, LQI, ObserverWeights
-from heli_gym.model import fan_thrusts, thrust, virtual_input, voltage
-from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
+from heli_gym.model import fan_thrusts, virtual_input
+from heli_gym.parameters import AMPLIFIER_LIMITS
+from heli_gym.rig import Rig, assumed_rig
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
@@ -61,25 +64,27 @@ class Regulator:
     integrating: bool
     accommodates: bool
     pitch_limits: tuple[float, float]
-    parameters: HelicopterParameters
+    rig: Rig
 
     def __call__(self, k: Any, x: Any, rotors: Any, disturbance: Any, integral: Any) -> np.ndarray:
         """Voltages (2, ...) for the k-th control period, before the amplifier limits them."""
-        p = self.parameters
+        rig = self.rig
         v, v_ref, v_command = (
-            np.stack(virtual_input(thrust(voltages, p)))
+            np.stack(virtual_input(rig.thrust(voltages)))
             for voltages in (rotors, expand_batch_dims(self.u[:, k], x), expand_batch_dims(self.command[:, k], x))
         )
         x_ref, v_hold = expand_batch_dims(self.x[:, k], x), v_ref
         if self.accommodates:
-            x_ref, v_hold = disturbance_accommodated_reference(x_ref, v_ref, disturbance, self.pitch_limits, p)
+            x_ref, v_hold = disturbance_accommodated_reference(
+                x_ref, v_ref, disturbance, self.pitch_limits, rig.parameters
+            )
         deviations = [x - x_ref]
         if self.lagging:
             deviations.append(v - v_hold)
         if self.integrating:
             deviations.append(integral)
         v = v_command + (v_hold - v_ref) - apply_gains(self.gains[:, :, k], np.concatenate(deviations))
-        return voltage(fan_thrusts(v), p)
+        return rig.voltage(fan_thrusts(v))
 
 
 @dataclass(eq=False)
@@ -147,8 +152,8 @@ class ModelPolicy(StatefulPolicy):
 
     def predict(self, x: Any, rotors: Any, u: Any, disturbance: Any) -> tuple[np.ndarray, np.ndarray]:
         """State (6, ...) and rotor speeds (2, ...) a control period later."""
-        lag, parameters = self.actuator.lag, self.regulator.parameters
-        return predict(x, rotors, u, disturbance, self.control_period, lag, parameters)
+        lag, rig = self.actuator.lag, self.regulator.rig
+        return predict(x, rotors, u, disturbance, self.control_period, lag, rig)
 
     def index(self, t: Any) -> Any:
         """Control period of the time t in s."""
@@ -158,25 +163,30 @@ class ModelPolicy(StatefulPolicy):
 def model_policy(
     reference: Trajectory,
     control_period: float,
-    parameters: HelicopterParameters,
+    rig: Rig,
     weights: Weights,
-    actuator: Actuator,
+    actuator: Actuator | None,
 ) -> ModelPolicy:
     """The feedforward and a regulator with these weights for a helicopter with this actuator.
 
     Against the lag, the feedforward leads: a rotor turns at u(t) if its voltage is u + lag du/dt. `IntegralWeights`
     give integral action, `ObserverWeights` a Kalman filter.
     """
+    rig = assumed_rig(reference, rig)
+    actuator = actuator or nominal_actuator(rig, control_period)
     x, middle = control_grid(reference, control_period)
     times = control_period * np.arange(x.shape[1] + 1)
     _, u = reference(times)
     command = middle + actuator.lag * np.diff(u, axis=1) / control_period
     u = u[:, :-1]
-    v = np.stack(virtual_input(thrust(u, parameters)))
+    parameters = rig.parameters
+    v = np.stack(virtual_input(rig.thrust(u)))
     observer = None
     if isinstance(weights, ObserverWeights):
-        gains = kalman_gains(x, v, control_period, parameters, weights.noise)
-        settling = partial(settling_gains, x, v, control_period, parameters, weights.noise)
+        gains = kalman_gains(x, v, control_period, parameters, weights.noise, encoder_noise(rig))
+        settling = partial(
+            settling_gains, x, v, control_period, parameters, weights.noise, angle_noise=encoder_noise(rig)
+        )
         observer = Observer(gains, settling, control_period)
     regulator = Regulator(
         x=x,
@@ -187,49 +197,47 @@ def model_policy(
         integrating=isinstance(weights, IntegralWeights),
         accommodates=observer is not None,
         pitch_limits=reference.limits.pitch,
-        parameters=parameters,
+        rig=rig,
     )
     return ModelPolicy(regulator, observer, actuator, control_period)
 
 
-def lqi(
-    reference: Trajectory, control_period: float, parameters: HelicopterParameters, weights: IntegralWeights = LQI
-) -> ModelPolicy:
+def lqi(reference: Trajectory, control_period: float, rig: Rig, weights: IntegralWeights = LQI) -> ModelPolicy:
     """Feedforward and time-varying regulator with integral action on travel and elevation; it assumes no lag."""
-    return model_policy(reference, control_period, parameters, weights, IDEAL)
+    return model_policy(reference, control_period, rig, weights, IDEAL)
 
 
 def lag_lqr(
     reference: Trajectory,
     control_period: float,
-    parameters: HelicopterParameters,
+    rig: Rig,
     weights: Weights = LAG_LQR,
-    actuator: Actuator = Actuator(),
+    actuator: Actuator | None = None,
 ) -> ModelPolicy:
     """Feedforward and time-varying regulator for rotors with a nominal lag and delay."""
-    return model_policy(reference, control_period, parameters, weights, actuator)
+    return model_policy(reference, control_period, rig, weights, actuator)
 
 
 def lag_lqi(
     reference: Trajectory,
     control_period: float,
-    parameters: HelicopterParameters,
+    rig: Rig,
     weights: IntegralWeights = LAG_LQI,
-    actuator: Actuator = Actuator(),
+    actuator: Actuator | None = None,
 ) -> ModelPolicy:
     """`lag_lqr` with integral action on travel and elevation."""
-    return model_policy(reference, control_period, parameters, weights, actuator)
+    return model_policy(reference, control_period, rig, weights, actuator)
 
 
 def kalman_lqr(
     reference: Trajectory,
     control_period: float,
-    parameters: HelicopterParameters,
+    rig: Rig,
     weights: ObserverWeights = KALMAN_LQR,
-    actuator: Actuator = Actuator(),
+    actuator: Actuator | None = None,
 ) -> ModelPolicy:
     """The regulator of `lag_lqr` on the estimates of a Kalman filter that uses the three angles alone.
 
     The filter also estimates the accelerations that (3) does not explain, and the reference makes up for them.
     """
-    return model_policy(reference, control_period, parameters, weights, actuator)
+    return model_policy(reference, control_period, rig, weights, actuator)

@@ -1,6 +1,6 @@
 """The registry: every controller by its name.
 
-To add a controller, write `my_controller(reference, control_period, parameters) -> Policy` in a file of this folder,
+To add a controller, write `my_controller(reference, control_period, rig) -> Policy` in a file of this folder,
 and add one line to `POLICIES`; `heli-evaluate` and the tests of all policies then know it.
 """
 
@@ -17,13 +17,14 @@ from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.residual import LEARNED, learned_policy
 from heli_gym.baselines.control.tracking import feedforward_tvlqr, hover_lqr, open_loop
 from heli_gym.baselines.control.weights import WEIGHTS, weights_of
-from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
+from heli_gym.parameters import HelicopterParameters
+from heli_gym.rig import Rig, assumed_rig
 from heli_gym.trajectory import Trajectory
 
 
-def stored(path: Any, reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> Policy:
+def stored(path: Any, reference: Trajectory, control_period: float, rig: Rig) -> Policy:
     """The learned policy at a path without suffix; its base policy comes from this registry."""
-    return learned_policy(path, reference, control_period, parameters, make_base=make_policy)
+    return learned_policy(path, reference, control_period, rig, make_base=make_policy)
 
 
 POLICIES: dict[str, Callable[..., Policy]] = {
@@ -58,9 +59,10 @@ def make_policy(
     name: str,
     reference: Trajectory,
     control_period: float = 0.02,
-    parameters: HelicopterParameters = HelicopterParameters(),
+    parameters: HelicopterParameters | None = None,
     weights: Weights | None = None,
-    voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS,
+    voltage_limits: tuple[float, float] | None = None,
+    rig: str | Rig | None = None,
 ) -> Policy:
     """Make a policy by its name.
 
@@ -69,32 +71,36 @@ def make_policy(
             that ends in .json is the path of a learned policy; see the module `residual`.
         reference: trajectory to track.
         control_period: s.
-        parameters: coefficients of (2) and (3) that the policy assumes.
+        parameters: coefficients of (2) and (3) that the policy assumes, in place of a rig.
         weights: in place of those in `WEIGHTS`, of the same type.
-        voltage_limits: V, of the amplifier that the policy assumes.
+        voltage_limits: V, of the amplifier that the policy assumes; the rig's by default.
+        rig: that the policy assumes, the reference's by default.
 
     Raises:
-        ValueError: for an unknown name, weights that the policy does not have, or a control period or voltage limits
-            that are not finite and positive, or increasing.
+        ValueError: for an unknown name, weights that the policy does not have, weights or a network for another rig,
+            or a control period or voltage limits that are not finite and positive, or increasing.
     """
     if not (is_finite(control_period) and control_period > 0.0):
         raise ValueError(f"control_period = {control_period!r}: must be a positive, finite number of seconds")
-    limits = tuple(voltage_limits)
+    if parameters is not None and rig is not None:
+        raise ValueError(f"parameters = {parameters}: must not be given beside a rig")
+    rig = assumed_rig(reference, parameters if rig is None else rig)
+    limits = rig.voltage_limits if voltage_limits is None else tuple(voltage_limits)
     if not (len(limits) == 2 and all(map(is_finite, limits)) and limits[0] < limits[1]):
         raise ValueError(f"voltage_limits = {voltage_limits!r}: must be two finite voltages, the lower one first")
     if str(name).endswith(".json") and weights is None:
-        policy = stored(name, reference, control_period, parameters)
+        policy = stored(name, reference, control_period, rig)
     else:
         kind, _, plant = str(name).partition("@")
         if kind not in POLICIES or (plant and kind not in WEIGHTS):
             known = ", ".join(map(repr, POLICIES))
             raise ValueError(f"name = {name!r}: must be one of {known}, or the path of a learned policy, .json")
         if weights is None and plant:
-            weights = weights_of(name)
+            weights = weights_of(name, rig)
         if weights is not None and type(weights) is not type(WEIGHTS.get(kind)):
             needed = type(WEIGHTS[kind]).__name__ if kind in WEIGHTS else "None, because the policy has no weights,"
             raise ValueError(f"weights = {weights!r}: must be {needed} for {name!r}")
-        policy = POLICIES[kind](reference, control_period, parameters, *([] if weights is None else [weights]))
+        policy = POLICIES[kind](reference, control_period, rig, *([] if weights is None else [weights]))
     parts: tuple[Any, ...] = policy, getattr(policy, "base", None)
     for part in parts:
         if hasattr(part, "voltage_limits"):

@@ -17,7 +17,8 @@ import numpy as np
 
 from heli_gym.baselines.control.model_based import ModelPolicy
 from heli_gym.baselines.control.protocol import Policy, StatefulPolicy, expand_batch_dims, step_index
-from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
+from heli_gym.parameters import AMPLIFIER_LIMITS
+from heli_gym.rig import PAPER, Rig, check_same_rig
 from heli_gym.storage import atomic_write
 from heli_gym.task import TOLERANCE, control_grid, to_action
 from heli_gym.trajectory import Trajectory
@@ -167,6 +168,7 @@ class Learned:
     hidden: tuple[int, ...]
     tanh_output: bool  # whether the actions are the tanh of the last layer
     feature_groups: tuple[str, ...] = tuple(FEATURE_GROUPS)  # what of GROUPS it is shown
+    rig: str = ""  # TOML of the rig that it was trained on; empty for the paper's
 
 
 class Network(NamedTuple):
@@ -232,20 +234,28 @@ def learned_policy(
     path: str | os.PathLike,
     reference: Trajectory,
     control_period: float,
-    parameters: HelicopterParameters,
+    rig: Rig,
     make_base: Callable[..., Policy],
 ) -> ResidualPolicy:
     """The stored policy, for a reference; `make_base`, as `make_policy`, makes the policy that it corrects.
 
-    Raises ValueError for a control period that it was not trained for.
+    Raises ValueError for a rig or a control period that it was not trained for.
     """
     settings, network = load_learned(path)
+    own = Rig.from_toml(settings.rig) if settings.rig else PAPER
+    check_same_rig(f"the policy {Path(path).name}", own, rig, "the one that flies")
     if control_period != settings.control_period:
         raise ValueError(
             f"control_period = {control_period:g} s: the policy {Path(path).name} was trained for "
             f"{settings.control_period:g} s"
         )
-    base = make_base(settings.base, reference, control_period, parameters)
+    base = make_base(settings.base, reference, control_period, rig=rig)
     return ResidualPolicy(
-        base, reference, network, settings.scale, control_period, feature_groups=settings.feature_groups
+        base,
+        reference,
+        network,
+        settings.scale,
+        control_period,
+        rig.voltage_limits,
+        feature_groups=settings.feature_groups,
     )

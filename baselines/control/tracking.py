@@ -8,8 +8,8 @@ from heli_gym.baselines.control.discrete_lqr import Weights
 from heli_gym.baselines.control.protocol import MemorylessPolicy, apply_gains, expand_batch_dims, step_index
 from heli_gym.baselines.control.weights import TVLQR
 from heli_gym.baselines.paper.tvlqr import riccati_gains, stationary_gain
-from heli_gym.model import fan_thrusts, hover_input, thrust, virtual_input, voltage
-from heli_gym.parameters import HelicopterParameters
+from heli_gym.model import fan_thrusts, hover_input, virtual_input
+from heli_gym.rig import Rig, assumed_rig
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
@@ -25,7 +25,7 @@ class TrackingPolicy(MemorylessPolicy):
     x: np.ndarray
     v: np.ndarray
     gains: np.ndarray
-    parameters: HelicopterParameters
+    rig: Rig
     control_period: float
 
     @property
@@ -37,30 +37,32 @@ class TrackingPolicy(MemorylessPolicy):
         k = step_index(t, self.control_period, self.x.shape[1] - 1)
         error = measurement - expand_batch_dims(self.x[:, k], measurement)
         v = expand_batch_dims(self.v[:, k], measurement) - apply_gains(self.gains[:, :, k], error)
-        return voltage(fan_thrusts(v), self.parameters)
+        return self.rig.voltage(fan_thrusts(v))
 
 
-def open_loop(reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> TrackingPolicy:
+def open_loop(reference: Trajectory, control_period: float, rig: Rig) -> TrackingPolicy:
     """The feedforward alone."""
+    rig = assumed_rig(reference, rig)
     x, u = control_grid(reference, control_period)
-    v = np.stack(virtual_input(thrust(u, parameters)))
-    return TrackingPolicy(x, v, np.zeros((2, *x.shape)), parameters, control_period)
+    v = np.stack(virtual_input(rig.thrust(u)))
+    return TrackingPolicy(x, v, np.zeros((2, *x.shape)), rig, control_period)
 
 
 def feedforward_tvlqr(
-    reference: Trajectory, control_period: float, parameters: HelicopterParameters, weights: Weights = TVLQR
+    reference: Trajectory, control_period: float, rig: Rig, weights: Weights = TVLQR
 ) -> TrackingPolicy:
     """The paper's controller: the feedforward of Section III-D and the time-varying regulator of Section III-E."""
-    feedforward = open_loop(reference, control_period, parameters)
+    feedforward = open_loop(reference, control_period, rig)
     times = control_period * np.arange(feedforward.x.shape[1])
-    gains = riccati_gains(reference, parameters, weights.Q, weights.R)(times)
-    return TrackingPolicy(feedforward.x, feedforward.v, gains, parameters, control_period)
+    gains = riccati_gains(reference, rig, weights.Q, weights.R)(times)
+    return TrackingPolicy(feedforward.x, feedforward.v, gains, feedforward.rig, control_period)
 
 
-def hover_lqr(reference: Trajectory, control_period: float, parameters: HelicopterParameters) -> TrackingPolicy:
+def hover_lqr(reference: Trajectory, control_period: float, rig: Rig) -> TrackingPolicy:
     """A stationary regulator about hover at the goal, which follows the reference's states without feedforward."""
+    rig = assumed_rig(reference, rig)
     x, _ = control_grid(reference, control_period)
     elevation = float(reference.x[2, -1])
-    v = np.repeat(hover_input(elevation, parameters)[:, None], x.shape[1], axis=1)
-    gains = np.repeat(stationary_gain(elevation, parameters)[:, :, None], x.shape[1], axis=2)
-    return TrackingPolicy(x, v, gains, parameters, control_period)
+    v = np.repeat(hover_input(elevation, rig.parameters)[:, None], x.shape[1], axis=1)
+    gains = np.repeat(stationary_gain(elevation, rig.parameters)[:, :, None], x.shape[1], axis=2)
+    return TrackingPolicy(x, v, gains, rig, control_period)

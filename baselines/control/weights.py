@@ -4,6 +4,7 @@ Those of the paper's regulator stand in tvlqr.py.
 """
 
 import json
+import re
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -12,6 +13,7 @@ import numpy as np
 from heli_gym.baselines.control.discrete_lqr import IntegralWeights, Weights
 from heli_gym.baselines.control.estimation import Noise
 from heli_gym.baselines.paper import tvlqr
+from heli_gym.rig import PAPER, Rig, check_same_rig, same_dynamics
 from heli_gym.storage import atomic_write, locked
 
 TUNED = Path(__file__).parent / "tuned"  # weights for single plants, a file each
@@ -92,26 +94,38 @@ WEIGHTS: dict[str, Weights] = {  # of those that can be tuned
 }
 
 
-def store_weights(name: str, plant: str, weights: Weights) -> None:
-    """Keeps the weights of a policy for a plant, atomically: those that `name@plant` flies with."""
-    path = TUNED / f"{plant}.json"
+def weights_file(plant: str, rig: Rig) -> Path:
+    """Where the weights for a plant of a rig are stored; those of the paper's rig are without its name."""
+    name = re.sub(r"[^\w-]", "_", rig.name)
+    return TUNED / (f"{plant}.json" if same_dynamics(rig, PAPER) else f"{plant}.{name}.json")
+
+
+def store_weights(name: str, plant: str, weights: Weights, rig: Rig = PAPER) -> None:
+    """Keeps the weights of a policy for a plant, atomically: those that `name@plant` flies with on this rig."""
+    path = weights_file(plant, rig)
     rounded = {key: float(f"{value:.4g}") for key, value in asdict(weights).items()}
     with locked(path):
         known = json.loads(path.read_text()) if path.is_file() else {}
+        if not same_dynamics(rig, PAPER):
+            known["rig"] = rig.to_toml()
         with atomic_write(path) as file:
             file.write((json.dumps({**known, name: rounded}, indent=2, sort_keys=True) + "\n").encode())
 
 
-def stored_weights(name: str, plant: str) -> Weights:
-    """What `store_weights` has kept. Raises ValueError where there is nothing."""
-    path = TUNED / f"{plant}.json"
+def stored_weights(name: str, plant: str, rig: Rig = PAPER) -> Weights:
+    """What `store_weights` has kept. Raises ValueError where there is nothing, or only for another rig."""
+    path, called = weights_file(plant, rig), f"name = {f'{name}@{plant}'!r}"
+    if not path.is_file():  # says which rig has some, if any
+        path = TUNED / f"{plant}.json"
     known = json.loads(path.read_text()) if path.is_file() else {}
     if name not in known:
-        raise ValueError(f"name = {f'{name}@{plant}'!r}: no weights are stored, see heli_gym.baselines.commands.tune")
+        raise ValueError(f"{called}: no weights are stored for the rig {rig.name!r}; heli-tune --store stores some")
+    own = Rig.from_toml(known["rig"]) if "rig" in known else PAPER
+    check_same_rig(f"{called}: what is stored", own, rig, "the one that flies")
     return type(WEIGHTS[name])(**known[name])
 
 
-def weights_of(name: str) -> Weights:
-    """Those that the policy of this name flies with, "lqi" or "lqi@lab" say."""
+def weights_of(name: str, rig: Rig = PAPER) -> Weights:
+    """Those that the policy of this name flies with on a rig, "lqi" or "lqi@lab" say."""
     kind, _, plant = name.partition("@")
-    return stored_weights(kind, plant) if plant else WEIGHTS[kind]
+    return stored_weights(kind, plant, rig) if plant else WEIGHTS[kind]

@@ -10,10 +10,10 @@ from numpy.polynomial import Polynomial
 from numpy.polynomial.polynomial import polyval
 from scipy.integrate import solve_bvp
 
-from heli_gym.baselines.paper.normal_form import ddy1_bounds, ddy2_bounds, feedforward, internal_dynamics, thrust_bounds
+from heli_gym.baselines.paper.normal_form import ddy1_bounds, ddy2_bounds, feedforward, internal_dynamics
 from heli_gym.baselines.paper.saturation import Saturation, ddy2, psi1, psi1_inverse, psi2_bounds, ramp
 from heli_gym.compilation import jit_cached
-from heli_gym.model import fan_thrusts, voltage
+from heli_gym.model import fan_thrusts
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -104,8 +104,8 @@ def unconstrained_trajectory(maneuver: Maneuver, solution: Solution) -> Trajecto
     (y1, dy1, ddy1), (y2, dy2, ddy2_) = setup_functions(maneuver, t, solution.p)
     eta, deta = solution.interpolate(t)
     v = feedforward(y1, y2, ddy1, ddy2_, maneuver.parameters)
-    u = voltage(fan_thrusts(v), maneuver.parameters)
-    return Trajectory(t, np.stack((eta, deta, y1, dy1, y2, dy2)), u, maneuver.limits)
+    u = maneuver.rig.voltage(fan_thrusts(v))
+    return Trajectory(t, np.stack((eta, deta, y1, dy1, y2, dy2)), u, maneuver.limits, maneuver.rig)
 
 
 # Section III-D: with constraints
@@ -246,7 +246,7 @@ class ConstrainedProblem:
         """The saturated accelerations and the inputs of (38) at the times t, under the ansatz (39)."""
         basis1, basis2 = self.ansatz(t)
         phi = p[: KAPPA[0]] @ basis1, p[KAPPA[0] :] @ basis2
-        f = thrust_bounds(self.maneuver.limits, self.maneuver.parameters)
+        f = self.maneuver.rig.thrust_bounds(self.maneuver.limits.u)
         with np.errstate(divide="ignore"):  # where psi1 is so close to its bound that its slope underflows
             return constrained_motion(Y, phi, self.pitch_bounds, f, self.maneuver.parameters)
 
@@ -258,7 +258,7 @@ class ConstrainedProblem:
     def rhs_jacobian(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Derivatives (6, 6, K) and (6, 6, K) of `rhs` with respect to Y and p."""
         basis1, basis2 = self.ansatz(t)
-        f = thrust_bounds(self.maneuver.limits, self.maneuver.parameters)
+        f = self.maneuver.rig.thrust_bounds(self.maneuver.limits.u)
         gradients = motion_gradients(Y, self.motion(t, Y, p), f, self.maneuver.parameters)
         dY, dp = np.zeros((6, 6, len(t))), np.zeros((6, len(p), len(t)))
         dY[[0, 2, 4], [1, 3, 5]] = 1.0
@@ -299,11 +299,11 @@ class ConstrainedProblem:
         """The solution as states and voltages, by (25), (28), (13) and the inverse of (4) and (2)."""
         t = sample_times(self.maneuver)
         x, thrusts = np.empty((6, len(t))), np.empty((2, len(t)))
-        f = thrust_bounds(self.maneuver.limits, self.maneuver.parameters)
+        f = self.maneuver.rig.thrust_bounds(self.maneuver.limits.u)
         Y = np.ascontiguousarray(solution.interpolate(t))
         sampling_kernel()(Y, solution.p, self.pitch_bounds, f, self.maneuver.parameters, x, thrusts)
         x[:, [0, -1]] = self.ends()[:, [4, 5, 0, 1, 3, 3]].T  # exact ends: xi2 = 0 gives q3 = dq3 = 0
-        return Trajectory(t, x, voltage(thrusts, self.maneuver.parameters), self.maneuver.limits)
+        return Trajectory(t, x, self.maneuver.rig.voltage(thrusts), self.maneuver.limits, self.maneuver.rig)
 
 
 def sample_times(maneuver: Maneuver) -> np.ndarray:

@@ -25,10 +25,10 @@ from heli_gym.baselines.paper.boundary_value import (
     new_inputs,
     setup_functions,
 )
-from heli_gym.baselines.paper.normal_form import alpha1, alpha2, internal_dynamics, thrust_bounds
+from heli_gym.baselines.paper.normal_form import alpha1, alpha2, internal_dynamics
 from heli_gym.baselines.paper.saturation import psi1, psi1_inverse
 from heli_gym.compilation import jit_cached
-from heli_gym.model import axpy, thrust, virtual_input
+from heli_gym.model import axpy, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
 SEGMENTS = 10
@@ -164,7 +164,7 @@ def shooter(problem: ConstrainedProblem, steps: int) -> Callable[[np.ndarray, np
     """
     maneuver, kernel = problem.maneuver, shooting_kernel()
     start, goal = problem.ends()
-    f = thrust_bounds(maneuver.limits, maneuver.parameters)
+    f = maneuver.rig.thrust_bounds(maneuver.limits.u)
     arguments = goal, steps, float(maneuver.duration), problem.pitch_bounds, f, maneuver.parameters
 
     def shoot(nodes: np.ndarray, p: np.ndarray) -> Shot:
@@ -259,7 +259,7 @@ def guess_from(problem: ConstrainedProblem, near: Trajectory) -> tuple[np.ndarra
     xi1 = psi1_inverse(np.clip(y2, low, high), bounds)
     pitch = psi1(xi1, bounds)
     xi2 = dy2 / pitch.slope
-    v1, v2 = virtual_input(thrust(u, p))
+    v1, v2 = virtual_input(near.rig.thrust(u))
     ddy1, ddy2 = ratio**2 * alpha1(y1, y2, v1, p), ratio**2 * alpha2(y1, y2, v2, p)
     margin = FREE * (near.limits.u_max - near.limits.u_min)
     is_free = ((u > near.limits.u_min + margin) & (u < near.limits.u_max - margin)).all(axis=0)

@@ -8,8 +8,9 @@ from numpy.typing import ArrayLike
 from scipy.linalg import expm, schur, solve_continuous_are
 
 from heli_gym.baselines.paper.riccati import integrate, jacobians_along
-from heli_gym.model import hover_input, linearise, thrust, virtual_input
+from heli_gym.model import hover_input, linearise, virtual_input
 from heli_gym.parameters import HelicopterParameters
+from heli_gym.rig import Rig, assumed_rig
 from heli_gym.trajectory import Trajectory
 
 STEP = 0.04  # s, at most, of the Riccati integration; there are gains every half of it
@@ -75,7 +76,7 @@ def check_weight(name: str, weight: ArrayLike, size: int, definite: bool = False
 
 def riccati_gains(
     reference: Trajectory,
-    parameters: HelicopterParameters = HelicopterParameters(),
+    rig: Rig | HelicopterParameters | None = None,
     Q: np.ndarray = Q,
     R: np.ndarray = R,
     M: np.ndarray | None = None,
@@ -88,7 +89,8 @@ def riccati_gains(
 
     Args:
         reference: what is flown; its duration is T.
-        parameters: those of the model (3) that is linearised.
+        rig: whose model (3) is linearised; by default the reference's, and parameters stand for the paper's rig with
+            these.
         Q, R, M: the weights (6, 6), (2, 2) and (6, 6) of (49). Without an M, the cost of holding the end of the
             reference for ever, so that the gains end where the stationary regulator's are.
 
@@ -96,21 +98,23 @@ def riccati_gains(
         ValueError: if a weight has the wrong shape, is not symmetric or not positive (semi)definite.
     """
     Q, R = check_weight("Q", Q, 6), check_weight("R", R, 2, definite=True)
+    rig = assumed_rig(reference, rig)
+    parameters = rig.parameters
     M = stationary_cost(reference.x[2, -1], parameters, Q, R) if M is None else check_weight("M", M, 6)
 
     steps = math.ceil(reference.duration / STEP)
     t = np.linspace(0.0, reference.duration, 2 * steps + 1)
     x, u = reference(t)
-    J, rows, columns = jacobians_along(x, np.stack(virtual_input(thrust(u, parameters))), parameters)
+    J, rows, columns = jacobians_along(x, np.stack(virtual_input(rig.thrust(u))), parameters)
     with np.errstate(all="ignore"):  # where the weights make (50) stiff, these steps diverge
         P, K, error = integrate(J, rows, columns, Q, R, M, t[2])
     if not error < STIFF:
-        P = integrate_stiff(reference, parameters, Q, R, M, np.linspace(0.0, t[-1], 2 * len(t) - 1))[::2]
+        P = integrate_stiff(reference, rig, Q, R, M, np.linspace(0.0, t[-1], 2 * len(t) - 1))[::2]
         K = np.moveaxis(np.linalg.inv(R) @ J[:, :, 6:].transpose(0, 2, 1) @ P, 0, -1)
     return Gains(t, K, np.moveaxis(P, 0, -1))
 
 
-def integrate_stiff(reference, parameters, Q, R, M, t) -> np.ndarray:
+def integrate_stiff(reference, rig, Q, R, M, t) -> np.ndarray:
     """P (N, 6, 6) of (50) at the times t (N,).
 
     By the Magnus expansion of order four of the Hamiltonian system, which is exact where the linearisation is constant,
@@ -119,7 +123,7 @@ def integrate_stiff(reference, parameters, Q, R, M, t) -> np.ndarray:
 
     def linearised(times):
         x, u = reference(times)
-        A, B = linearise(x, virtual_input(thrust(u, parameters)), parameters)
+        A, B = linearise(x, virtual_input(rig.thrust(u)), rig.parameters)
         return np.moveaxis(A, -1, 0), np.moveaxis(B, -1, 0)
 
     h, steps = t[1], len(t) - 1

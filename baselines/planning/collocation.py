@@ -13,8 +13,7 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 from heli_gym.baselines.paper.boundary_value import sample_times
-from heli_gym.baselines.paper.normal_form import thrust_bounds
-from heli_gym.model import dynamics, hover_input, virtual_input, voltage
+from heli_gym.model import dynamics, hover_input, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
 OBJECTIVES = ("time", "effort")
@@ -87,7 +86,7 @@ def collocate(
     problem.subject_to(X[:, right] == X[:, left] + h / 6.0 * (dX[:, left] + 4.0 * between + dX[:, right]))
     for k, end in ((0, ends[0]), (n, ends[1])):
         problem.subject_to(X[:, k] == end)
-    low, high = thrust_bounds(limits, p)
+    low, high = maneuver.rig.thrust_bounds(limits.u)
     problem.subject_to(problem.bounded(low, ca.vec(F), high))
     problem.subject_to(problem.bounded(limits.pitch_min, X[4, :].T, limits.pitch_max))
     problem.subject_to(problem.bounded(limits.pitch_min, middle[4, :].T, limits.pitch_max))
@@ -144,9 +143,9 @@ def collocated_trajectory(
 def sampled(maneuver: Maneuver, found: Collocation) -> Trajectory:
     """The trajectory of a solution: thrusts linear, states cubic between the nodes."""
     p, t = maneuver.parameters, sample_times(maneuver)
-    f = np.clip([np.interp(t, found.t, row) for row in found.f], *thrust_bounds(maneuver.limits, p))
+    f = np.clip([np.interp(t, found.t, row) for row in found.f], *maneuver.rig.thrust_bounds(maneuver.limits.u))
     rates = np.stack(dynamics(found.x, virtual_input(found.f), p))
     x = CubicHermiteSpline(found.t, found.x, rates, axis=1)(t)
     for k, (travel, elevation) in ((0, maneuver.start), (-1, maneuver.goal)):
         x[:, k] = travel, 0.0, elevation, 0.0, 0.0, 0.0
-    return Trajectory(t, x, voltage(f, p), maneuver.limits)
+    return Trajectory(t, x, maneuver.rig.voltage(f), maneuver.limits, maneuver.rig)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from heli_gym.model import thrust, virtual_input
+from heli_gym.model import virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
 ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s, between the end of the replayed plan and the goal
@@ -89,7 +89,7 @@ def validated(maneuver: Maneuver, trajectory: Trajectory | None) -> Trajectory |
 
     if not (within(trajectory.u, limits.u) and within(trajectory.x[4], limits.pitch)):
         return None
-    v = np.stack(virtual_input(thrust(trajectory.u, maneuver.parameters)))
+    v = np.stack(virtual_input(maneuver.rig.thrust(trajectory.u)))
     end, *pitch = replay(trajectory.x[:, 0], v, trajectory.duration, maneuver.parameters)
     arrives = np.abs(end - trajectory.x[:, -1]).max() <= ARRIVAL_TOLERANCE
     return trajectory if arrives and within(np.array(pitch), limits.pitch) else None

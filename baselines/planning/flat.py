@@ -8,7 +8,7 @@ from numpy.polynomial import Polynomial
 
 from heli_gym.baselines.paper.boundary_value import sample_times
 from heli_gym.baselines.paper.normal_form import feedforward
-from heli_gym.model import fan_thrusts, voltage
+from heli_gym.model import fan_thrusts
 from heli_gym.trajectory import Maneuver, Trajectory
 
 # From 0 to 1 with four derivatives zero at both ends, so that pitch and its rate are, and the voltages those of hover.
@@ -47,5 +47,5 @@ def flat_trajectory(maneuver: Maneuver) -> Trajectory | None:
     tangent = p.b2 / p.b1 * product(q1[2:], inverse)  # (3a) by (3b)
     w = tangent[0]
     q3 = composed(np.arctan(w), 1.0 / (1.0 + w**2), -2.0 * w / (1.0 + w**2) ** 2, tangent)
-    u = voltage(fan_thrusts(feedforward(q2[0], q3[0], q2[2], q3[2], p)), p)
-    return Trajectory(t, np.stack((q1[0], q1[1], q2[0], q2[1], q3[0], q3[1])), u, maneuver.limits)
+    u = maneuver.rig.voltage(fan_thrusts(feedforward(q2[0], q3[0], q2[2], q3[2], p)))
+    return Trajectory(t, np.stack((q1[0], q1[1], q2[0], q2[1], q3[0], q3[1])), u, maneuver.limits, maneuver.rig)

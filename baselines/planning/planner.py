@@ -200,9 +200,10 @@ def fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> tuple[spline.Spline,
 
 def binding_limits(maneuver: Maneuver, fastest: spline.Spline) -> str:
     """What is in the way of a faster plan: the limits, and by their multipliers what a little more would save."""
-    limits, p = maneuver.limits, maneuver.parameters
+    limits = maneuver.limits
     low, high, pitch_low, pitch_high = fastest.duration * fastest.multipliers
-    (slope_low, slope_high), degree = 2.0 * p.k_plus * np.abs(limits.u), math.pi / 180.0
+    slope_low, slope_high = maneuver.rig.thrust_slope(np.array(limits.u) * np.ones((2, 1))).max(axis=0)
+    degree = math.pi / 180.0
     savings = {
         f"the lower voltage limit (1 V less would save {low * slope_low:.2g} s)": low * slope_low,
         f"the upper voltage limit (1 V more would save {high * slope_high:.2g} s)": high * slope_high,

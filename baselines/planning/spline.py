@@ -14,8 +14,6 @@ from typing import NamedTuple
 import numpy as np
 
 from heli_gym.baselines.paper.boundary_value import RISE, sample_times
-from heli_gym.baselines.paper.normal_form import thrust_bounds
-from heli_gym.model import voltage
 from heli_gym.trajectory import Maneuver, Trajectory
 
 SEGMENTS = (30, 60)  # of the splines: few are faster and smoother, and for the shortest times there must be more
@@ -124,7 +122,7 @@ def model_of(maneuver: Maneuver) -> tuple[float, ...]:
 
 def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -> tuple[Spline, Trajectory] | None:
     """What `smoothest` or `fastest` finds, and its samples, which keep the limits; None if there is none such."""
-    limits = low, high = thrust_bounds(maneuver.limits, maneuver.parameters)
+    limits = low, high = maneuver.rig.thrust_bounds(maneuver.limits.u)
     for _ in range(TIGHTENINGS):
         spline = optimum(maneuver, start, (low, high), barrier)
         if spline is None:
@@ -132,7 +130,7 @@ def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -
         t, x, f = sampled(maneuver, spline)
         below, above = limits[0] - f.min(), f.max() - limits[1]
         if max(below, above) <= 0.0:
-            return spline, Trajectory(t, x, voltage(f, maneuver.parameters), maneuver.limits)
+            return spline, Trajectory(t, x, maneuver.rig.voltage(f), maneuver.limits, maneuver.rig)
         low, high = low + 1.2 * max(below, 0.0), high - 1.2 * max(above, 0.0)
         start, barrier = spline, WARM
     return None

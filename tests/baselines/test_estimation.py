@@ -20,6 +20,7 @@ from heli_gym.baselines.control.estimation import (
     rotor_response,
 )
 from heli_gym.model import hover_input
+from heli_gym.rig import PAPER, rig_of
 
 NOMINAL = HelicopterParameters()
 DT = 0.02
@@ -58,16 +59,16 @@ def test_the_prediction_is_what_an_adaptive_integrator_finds(lag):
             return derivative
 
         exact = solve_ivp(rhs, (0.0, DT), x, "DOP853", rtol=1e-11, atol=1e-12).y[:, -1]
-        later, rotors = predict(x, w, u, d, DT, lag, NOMINAL)
+        later, rotors = predict(x, w, u, d, DT, lag, PAPER)
         assert_allclose(later, exact, atol=5e-6)
         assert_allclose(rotors, rotor_response(w, u, lag, DT))
 
 
 def test_a_prediction_of_many_is_that_of_each():
     x, w, u, d = some_states(4)
-    together = predict(x, w, u, d, DT, 0.1, NOMINAL)
+    together = predict(x, w, u, d, DT, 0.1, PAPER)
     for k in range(4):
-        alone = predict(x[:, k], w[:, k], u[:, k], d[:, k], DT, 0.1, NOMINAL)
+        alone = predict(x[:, k], w[:, k], u[:, k], d[:, k], DT, 0.1, PAPER)
         for one, many in zip(alone, together):
             assert_allclose(many[:, k], one, rtol=1e-14)
 
@@ -117,8 +118,8 @@ def test_the_filter_finds_the_state_and_a_constant_disturbance_from_the_angles()
         corrected, believed = estimate + correction[:6], believed + correction[6:]
         if k == gains.shape[2] - 1:
             break
-        estimate, _ = predict(corrected, u, u, believed, DT, 0.0, NOMINAL)
-        x, _ = predict(x, u, u, disturbance, DT, 0.0, NOMINAL)
+        estimate, _ = predict(corrected, u, u, believed, DT, 0.0, PAPER)
+        x, _ = predict(x, u, u, disturbance, DT, 0.0, PAPER)
     assert_allclose(believed, disturbance, atol=2e-3)
     assert_allclose(corrected, x, atol=2e-3)
 
@@ -157,5 +158,5 @@ def test_a_heavier_helicopter_is_believed_in():
     heavier = NOMINAL._replace(a2=1.2 * TABLE_I.a2)
     v = hover_input(0.0, heavier)
     u = np.full(2, math.sqrt(0.5 * v[0] / TABLE_I.k_plus))
-    later, _ = predict(np.zeros(6), u, u, np.zeros(3), DT, 0.1, heavier)
+    later, _ = predict(np.zeros(6), u, u, np.zeros(3), DT, 0.1, rig_of(heavier))
     assert_allclose(later, 0.0, atol=1e-15)

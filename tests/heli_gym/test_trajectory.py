@@ -234,7 +234,7 @@ def test_a_saved_file_needs_no_pickle(tmp_path):
     path = tmp_path / "plan.npz"
     some_trajectory().save(str(path))
     with np.load(path, allow_pickle=False) as data:
-        assert {data[name].dtype.kind for name in data.files} == {"f"}
+        assert {data[name].dtype.kind for name in data.files} == {"f", "U"}
         assert {"t", "x", "u"} <= set(data.files)
 
 

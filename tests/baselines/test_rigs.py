@@ -1,0 +1,84 @@
+"""Planners, gains and policies on rigs other than the paper's."""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.integrate import solve_ivp
+
+from heli_gym import Limits, Maneuver, PowerCurve, Rig, TableCurve, ThrustMap, dynamics, find_rig
+from heli_gym.baselines import make_policy, plan, riccati_gains
+from heli_gym.model import virtual_input
+from heli_gym.rig import PAPER
+
+MIXED = Rig(
+    "mixed",
+    thrust_map=ThrustMap(
+        PowerCurve(0.03, -0.01, 1.2, 0.5),
+        TableCurve((0.0, 2.0, 5.0, 8.0, 12.0), (0.0, 0.05, 0.2, 0.4, 0.65)),
+    ),
+)
+
+
+@pytest.mark.parametrize("rig", [find_rig("quanser"), find_rig("ntnu"), MIXED], ids=str)
+@pytest.mark.parametrize("method", ["paper", "spline", "flat"])
+def test_a_plan_flown_through_the_rigs_thrust_map_and_3_arrives_within_its_limits(rig, method):
+    maneuver = Maneuver(goal=(math.pi / 2, math.radians(-5.0)), duration=8.0, rig=rig)
+    trajectory = plan(maneuver, method)
+    assert trajectory.rig == rig
+    low, high = maneuver.limits.u
+    assert low - 1e-6 <= trajectory.u.min() and trajectory.u.max() <= high + 1e-6
+
+    def rhs(t, x):
+        return dynamics(x, virtual_input(rig.thrust(trajectory(t)[1])), rig.parameters)
+
+    end = solve_ivp(rhs, (0.0, trajectory.duration), trajectory.x[:, 0], max_step=0.02, rtol=1e-8).y[:, -1]
+    assert_allclose(end, trajectory.x[:, -1], atol=2e-3)
+
+
+@pytest.mark.parametrize("name", ["feedforward+tvlqr", "lqi", "lag-lqr", "kalman-lqr"])
+def test_on_the_plan_the_feedback_adds_nothing_and_off_it_the_fans_say_so(name):
+    rig = find_rig("ntnu")
+    reference = plan(Maneuver(goal=(math.pi / 2, 0.0), duration=8.0, rig=rig))
+    policy = make_policy(name, reference)
+    assert policy.voltage_limits == rig.voltage_limits if hasattr(policy, "voltage_limits") else True
+    u = policy(0.0, reference.x[:, 0])
+    assert_allclose(u, rig.hover_voltage(), atol=0.2)
+    policy.reset(np.random.default_rng(0))
+    lower = reference.x[:, 0] + np.array([0.0, 0.0, 0.1, 0.0, 0.0, 0.0])  # positive is down
+    assert (policy(0.0, lower) > u).all() or name == "kalman-lqr"
+
+
+def test_gains_are_those_of_the_references_rig_by_default():
+    rig = find_rig("ntnu")
+    reference = plan(Maneuver(goal=(math.pi / 2, 0.0), duration=8.0, rig=rig))
+    assert_allclose(riccati_gains(reference).K, riccati_gains(reference, rig).K)
+    assert_allclose(riccati_gains(reference).K, riccati_gains(reference, rig.parameters).K)
+    assert np.abs(riccati_gains(reference, PAPER).K - riccati_gains(reference).K).max() > 0.1
+
+
+@pytest.mark.parametrize("name", ["residual", "lqi@lab", "kalman-lqr@rigid"])
+def test_what_was_learned_or_tuned_on_the_papers_rig_is_refused_for_another(name):
+    reference = plan(Maneuver(goal=(math.pi / 2, 0.0), duration=8.0, rig="ntnu"))
+    with pytest.raises(ValueError, match="is for the rig 'paper', and the one that flies is 'ntnu'"):
+        make_policy(name, reference)
+
+
+def test_a_rig_and_parameters_are_not_given_together():
+    reference = plan(Maneuver())
+    with pytest.raises(ValueError, match="must not be given beside a rig"):
+        make_policy("lqi", reference, parameters=PAPER.parameters, rig="paper")
+
+
+def test_middle_voltage_is_the_middle_of_the_rigs_amplifier():
+    reference = plan(Maneuver(goal=(math.pi / 2, 0.0), duration=8.0, rig="quanser"))
+    assert_allclose(make_policy("middle-voltage", reference)(0.0, np.zeros(6)), 0.0)
+    assert_allclose(make_policy("middle-voltage", reference, voltage_limits=(0.0, 10.0))(0.0, np.zeros(6)), 5.0)
+
+
+def test_a_plan_within_tighter_limits_keeps_them():
+    maneuver = Maneuver(goal=(math.pi, 0.0), duration=10.0, rig="ntnu", limits=Limits(1.0, 6.0, -0.6, 0.6))
+    trajectory = plan(maneuver)
+    assert trajectory.u.min() >= 1.0 - 1e-6 and trajectory.u.max() <= 6.0 + 1e-6
+    assert np.abs(trajectory.x[4]).max() <= 0.6 + 1e-6
