@@ -247,7 +247,6 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     folder = run_folder(args)
     name = "/".join(folder.parts[-3:])
     begun = check_begun(args, folder)
-    (folder / "checkpoints").mkdir(parents=True, exist_ok=True)
     torch.set_num_threads(1)
     reference = find_reference(args.reference)
     env_kwargs: dict[str, Any] = {"plant": args.plant, "reference": reference, "start_spread_deg": START_SPREAD_DEG}
@@ -259,6 +258,7 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     )
     validation_envs = Heli3DOFVectorEnv(args.validation, **env_kwargs)
     agent = make_agent(args, helicopters)
+    (folder / "checkpoints").mkdir(parents=True, exist_ok=True)  # only now: what is refused leaves nothing
     agent.set_logger(configure(str(folder), ["tensorboard"]))
 
     history: list[dict[str, Any]] = []

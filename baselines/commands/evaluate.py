@@ -31,6 +31,7 @@ from heli_gym.task import TOLERANCE
 from heli_gym.trajectory import Maneuver, Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
+RESULTS = "results.json"
 PAPERS_REFERENCE = "travel-360"
 PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
 FIGURE_START_DEG = (-5.0, 5.0)  # travel and elevation off the reference, where the flights of Figs. 10 and 11 start
@@ -117,6 +118,7 @@ def evaluate(args: Args, console: Console, flights: list[Flight] | None = None) 
     # what was learned flies at its own control period only
     jobs = [] if exact.plant.is_random else [("exact", name) for name in args.policies if not is_learned(name)]
     jobs += [("perturbed", name) for name in args.policies]
+    announce_replaced("heli-evaluate", args.out / RESULTS, *([args.report] if args.report else []))
     for start, name in track(jobs, "flying", console=console):
         env = exact if start == "exact" else perturbed
         policy = make_policy(name, reference, PAPER_PERIOD) if env is exact else policies[name]
@@ -273,8 +275,7 @@ def main(args: Args | None = None) -> None:
 def run(args: Args) -> None:
     """Fly, write the results, and only then print and draw them; interrupted, write those of the flights so far."""
     console = Console(width=None if sys.stdout.isatty() else 180)
-    path = args.out / "results.json"
-    announce_replaced("heli-evaluate", path, *([args.report] if args.report else []))
+    path = args.out / RESULTS
     flights: list[Flight] = []
     try:
         evaluate(args, console, flights)
