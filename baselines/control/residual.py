@@ -1,7 +1,10 @@
-"""A learned correction on top of a controller: u = sat(u_base + scale a), with a in [-1, 1]² from a small network.
+"""A learned correction on top of a controller, with actions a in [-1, 1]² from a small network.
+
+By the law "saturated", u = sat(sat(u_base) + scale a): the correction has authority where the base policy asks for
+tens of volts more than the amplifier has. By the law "sum", u = sat(u_base + scale a).
 
 The network sees what the controller sees, and nothing of the plant's draw: see `FEATURE_GROUPS`. It is stored as
-safetensors beside a JSON file with its settings and the SHA-256 of the weights, and flown by numpy.
+safetensors and a JSON file with its settings and the SHA-256 of the weights, and flown by numpy.
 """
 
 import json
@@ -20,10 +23,11 @@ from heli_gym.baselines.control.protocol import Policy, StatefulPolicy, expand_b
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.rig import PAPER, Rig, check_same_rig
 from heli_gym.storage import atomic_write
-from heli_gym.task import TOLERANCE, control_grid, to_action
+from heli_gym.task import TOLERANCE, control_grid
 from heli_gym.trajectory import Trajectory
 
 LEARNED = Path(__file__).parent / "learned"  # the policies that come with the package: of the first seed on each plant
+LAWS = ("sum", "saturated")
 AHEAD = (0.0, 0.2, 0.4, 0.8)  # s, at which the network sees the reference
 BEFORE = (0.1, 0.2, 0.4)  # s, at which it sees past errors and corrections
 FEATURE_GROUPS = {
@@ -38,12 +42,19 @@ STATE_SCALE = np.array([math.pi, 1.0, 0.2, 0.5, 1.0, 2.0])  # rad and rad/s, of 
 DISTURBANCE_SCALE, INTEGRAL_SCALE, FEATURE_CLIP = 0.2, 0.1, 5.0  # rad/s², rad s, and what features are clipped to
 
 
+def normalised(u: Any, voltage_limits: tuple[float, float]) -> Any:
+    """The voltages u in V, the amplifier's range mapped to [-1, 1]."""
+    low, high = voltage_limits
+    return (u - 0.5 * (low + high)) / (0.5 * (high - low))
+
+
 class Memory(NamedTuple):
     """State of a residual policy between control periods."""
 
     base: Any  # memory of the base policy, where it is a `StatefulPolicy`
     integral: np.ndarray  # (2, ...) rad s, of the errors of travel and elevation
     past: np.ndarray  # (H, 5, ...) errors of the angles in tolerances, and corrections, the last first
+    hidden: np.ndarray | None = None  # (n, ...) of a recurrent network
 
 
 @dataclass(eq=False)
@@ -53,14 +64,16 @@ class ResidualPolicy:
     Args:
         base: policy that is corrected; a `ModelPolicy` is given the voltages that were applied after all.
         reference: what both follow.
-        network: from features (F, ...) to actions (2, ...) in [-1, 1].
+        network: from features (F, ...) to actions (2, ...) in [-1, 1]; or a `RecurrentNetwork`.
         scale: V, the greatest correction.
         control_period: s.
         voltage_limits: V, the amplifier's.
         feature_groups: which of `FEATURE_GROUPS` the network is shown.
+        law: "saturated" or "sum".
+        ahead: s, times at which the network is shown the reference.
 
     Raises:
-        ValueError: for a scale that is negative or not finite, or an unknown group.
+        ValueError: for a scale that is negative or not finite, or an unknown group or law.
     """
 
     base: Policy
@@ -70,6 +83,8 @@ class ResidualPolicy:
     control_period: float = 0.02
     voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
     feature_groups: tuple[str, ...] = tuple(FEATURE_GROUPS)
+    law: str = "saturated"
+    ahead: tuple[float, ...] = AHEAD
     memory: Memory | None = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -79,8 +94,10 @@ class ResidualPolicy:
             raise ValueError(
                 f"feature_groups = {self.feature_groups!r}: must name some of {', '.join(map(repr, FEATURE_GROUPS))}"
             )
+        if self.law not in LAWS:
+            raise ValueError(f"law = {self.law!r}: must be one of {', '.join(map(repr, LAWS))}")
         self.x, self.u = control_grid(self.reference, self.control_period)
-        ahead = [control_grid(self.reference, self.control_period, seconds)[0] for seconds in AHEAD]
+        ahead = [control_grid(self.reference, self.control_period, seconds)[0] for seconds in self.ahead]
         self.preview = np.concatenate([(x / STATE_SCALE[:, None])[1:] for x in ahead])
         self.past_steps = [round(seconds / self.control_period) for seconds in BEFORE]
 
@@ -97,7 +114,16 @@ class ResidualPolicy:
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
         measurement = np.asarray(measurement, dtype=float)
         u_base, features = self.observe(t, measurement)
-        return self.correct(t, measurement, u_base, np.clip(self.network(features), -1.0, 1.0))
+        if isinstance(self.network, RecurrentNetwork):
+            assert self.memory is not None
+            hidden = self.memory.hidden
+            if hidden is None:
+                hidden = np.zeros((self.network.size, *features.shape[1:]))
+            action, hidden = self.network(features, hidden)
+            self.memory = self.memory._replace(hidden=hidden)
+        else:
+            action = self.network(features)
+        return self.correct(t, measurement, u_base, np.clip(action, -1.0, 1.0))
 
     def observe(self, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Voltages of the base policy (2, ...) in V, and the features (F, ...) for the network."""
@@ -117,8 +143,8 @@ class ResidualPolicy:
             "error": [error / expand_batch_dims(np.array(TOLERANCE), measurement)],
             "integral": [self.memory.integral / INTEGRAL_SCALE],
             "voltages": [
-                to_action(u_base, self.voltage_limits),
-                to_action(expand_batch_dims(self.u[:, k], measurement) + np.zeros_like(u_base), self.voltage_limits),
+                normalised(u_base, self.voltage_limits),
+                normalised(expand_batch_dims(self.u[:, k], measurement) + np.zeros_like(u_base), self.voltage_limits),
                 past[0, 3:],
             ],
             "estimate": [],
@@ -128,7 +154,7 @@ class ResidualPolicy:
         if isinstance(self.base, ModelPolicy):
             groups["estimate"] = [
                 self.memory.base.disturbance / DISTURBANCE_SCALE,
-                to_action(self.memory.base.rotors, self.voltage_limits),
+                normalised(self.memory.base.rotors, self.voltage_limits),
             ]
         rows = [row for group in FEATURE_GROUPS if group in self.feature_groups for row in groups[group]]
         return u_base, np.clip(np.concatenate(rows), -FEATURE_CLIP, FEATURE_CLIP)
@@ -140,6 +166,8 @@ class ResidualPolicy:
         if self.memory is None:
             raise ValueError("correct: comes after observe")
         k = step_index(t, self.control_period, self.x.shape[1] - 1)
+        if self.law == "saturated":
+            u_base = np.clip(u_base, *self.voltage_limits)
         u = u_base + self.scale * action if self.scale else u_base
         base = self.memory.base
         if isinstance(self.base, ModelPolicy) and self.scale:
@@ -151,6 +179,7 @@ class ResidualPolicy:
             base,
             self.memory.integral + self.control_period * error[:2],
             np.concatenate((now, self.memory.past[:-1])),
+            self.memory.hidden,
         )
         return u
 
@@ -169,6 +198,9 @@ class Learned:
     tanh_output: bool  # whether the actions are the tanh of the last layer
     feature_groups: tuple[str, ...] = tuple(FEATURE_GROUPS)  # what of GROUPS it is shown
     rig: str = ""  # TOML of the rig that it was trained on; empty for the paper's
+    law: str = "saturated"  # of `LAWS`
+    ahead: tuple[float, ...] = AHEAD  # s
+    recurrent: int = 0  # hidden states of a GRU cell before the layers; 0 for no such cell
 
 
 class Network(NamedTuple):
@@ -188,11 +220,42 @@ class Network(NamedTuple):
         return value
 
 
-def save_learned(path: str | os.PathLike, settings: Learned, network: Network) -> None:
+class RecurrentNetwork(NamedTuple):
+    """A GRU cell (Cho et al., 2014; its gates in torch's order: reset, update, new) before the layers of a network."""
+
+    weight_input: np.ndarray  # (3 n, F)
+    weight_hidden: np.ndarray  # (3 n, n)
+    bias_input: np.ndarray  # (3 n,)
+    bias_hidden: np.ndarray  # (3 n,)
+    head: Network
+
+    @property
+    def size(self) -> int:
+        """Hidden states n."""
+        return self.weight_hidden.shape[1]
+
+    def __call__(self, features: np.ndarray, hidden: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The actions (2, ...) for features (F, ...), and the next hidden state, after hidden (n, ...)."""
+        n = self.size
+        x = self.weight_input @ features + expand_batch_dims(self.bias_input, features)
+        h = self.weight_hidden @ hidden + expand_batch_dims(self.bias_hidden, features)
+        gates = 0.5 + 0.5 * np.tanh(0.5 * (x[: 2 * n] + h[: 2 * n]))  # sigmoid, without overflow
+        new = np.tanh(x[2 * n :] + gates[:n] * h[2 * n :])
+        hidden = new + gates[n:] * (hidden - new)
+        return self.head(hidden), hidden
+
+
+CELL = ("weight_input", "weight_hidden", "bias_input", "bias_hidden")
+
+
+def save_learned(path: str | os.PathLike, settings: Learned, network: Network | RecurrentNetwork) -> None:
     """Writes path.safetensors and path.json, each atomically."""
     from safetensors.numpy import save
 
     tensors: dict[str, np.ndarray] = {}
+    if isinstance(network, RecurrentNetwork):
+        tensors |= {name: getattr(network, name).astype(np.float32) for name in CELL}
+        network = network.head
     for layer, (weight, bias) in enumerate(zip(network.weights, network.biases)):
         tensors[f"{layer}.weight"], tensors[f"{layer}.bias"] = weight.astype(np.float32), bias.astype(np.float32)
     data = save(tensors)
@@ -203,7 +266,7 @@ def save_learned(path: str | os.PathLike, settings: Learned, network: Network) -
         file.write((json.dumps({**asdict(settings), "sha256": sha256(data).hexdigest()}, indent=2) + "\n").encode())
 
 
-def load_learned(path: str | os.PathLike) -> tuple[Learned, Network]:
+def load_learned(path: str | os.PathLike) -> tuple[Learned, Network | RecurrentNetwork]:
     """Reads what `save_learned` wrote; nothing is unpickled.
 
     Raises ValueError if a file is missing or damaged, or if the two do not belong together.
@@ -216,18 +279,21 @@ def load_learned(path: str | os.PathLike) -> tuple[Learned, Network]:
         data = path.with_suffix(".safetensors").read_bytes()
         digest = described.pop("sha256")
         lists = {name: tuple(value) for name, value in described.items() if isinstance(value, list)}
-        settings = Learned(**{**described, **lists})
+        settings = Learned(**{"law": "sum", **described, **lists})  # files without a law are older than the second one
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         raise ValueError(f"path = {str(path)!r}: no learned policy: {error}") from error
     if sha256(data).hexdigest() != digest:
         raise ValueError(f"path = {str(path)!r}: the weights are not those that the JSON file describes")
     tensors = load(data)
     layers = range(len(settings.hidden) + 1)
-    return settings, Network(
+    network = Network(
         tuple(tensors[f"{layer}.weight"].astype(float) for layer in layers),
         tuple(tensors[f"{layer}.bias"].astype(float) for layer in layers),
         settings.tanh_output,
     )
+    if settings.recurrent:
+        return settings, RecurrentNetwork(*(tensors[name].astype(float) for name in CELL), network)
+    return settings, network
 
 
 def learned_policy(
@@ -258,4 +324,6 @@ def learned_policy(
         control_period,
         rig.voltage_limits,
         feature_groups=settings.feature_groups,
+        law=settings.law,
+        ahead=settings.ahead,
     )

@@ -1,0 +1,105 @@
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+torch = pytest.importorskip("torch")
+
+from heli_gym.baselines import make_policy  # noqa: E402
+from heli_gym.baselines.control.residual import ResidualPolicy  # noqa: E402
+from heli_gym.baselines.evaluation.metrics import flight_metrics  # noqa: E402
+from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
+from heli_gym.env import find_reference  # noqa: E402
+from heli_gym.train.apg import AHEAD, GROUPS, Actor, batch_of, network_of, task_of, weights_of  # noqa: E402
+from heli_gym.train.flight_gradient import LANES, N_SEEN, Rollout, Weights  # noqa: E402
+from heli_gym.vector_env import Heli3DOFVectorEnv  # noqa: E402
+
+SHORT = find_reference("climb-7.5")
+COUNTS = slice(11, 14)
+
+
+def residual_policy(network=None, scale=4.0):
+    base = make_policy("feedforward+tvlqr@lab", SHORT)
+    return ResidualPolicy(base, SHORT, network, scale, feature_groups=GROUPS, ahead=AHEAD)
+
+
+def helicopters(**kwargs):
+    return Heli3DOFVectorEnv(LANES, "lab", SHORT, start_spread_deg=5.0, **kwargs)
+
+
+def random_weights(task, hidden, dtype, seed=0):
+    rng = np.random.default_rng(seed)
+    shapes = Weights(
+        seen=(3 * hidden, N_SEEN),
+        preview=(3 * hidden, task.preview.shape[1]),
+        hidden=(3 * hidden, hidden),
+        input_bias=(3 * hidden,),
+        hidden_bias=(3 * hidden,),
+        output=(2, hidden),
+        output_bias=(2,),
+    )
+    return Weights(*((0.3 * rng.standard_normal(shape)).astype(dtype) for shape in shapes))
+
+
+def test_the_gradient_is_that_of_central_differences_where_sensors_are_smooth():
+    envs = helicopters()
+    task = task_of(residual_policy(), envs, 0.5, 1.0)
+    task = task._replace(
+        v_ref=task.v_ref[:40], gains=task.gains[:40], x_ref=task.x_ref[:41], preview=task.preview[:40].astype(float)
+    )
+    batch = batch_of(envs, 0)
+    batch.body[COUNTS] = 0.0
+    weights, rollout = random_weights(task, 5, float), Rollout(task, 5, np.float64)
+    outcome = rollout.forward(weights, batch)
+    assert rollout.loss(outcome) > 0.1
+    gradient = rollout.backward(outcome)
+    rng, step = np.random.default_rng(1), 1e-5
+    for name, value, slope in zip(Weights._fields, weights, gradient):
+        direction = rng.standard_normal(value.shape)
+        up, down = (
+            rollout.loss(rollout.forward(weights._replace(**{name: value + sign * step * direction}), batch))
+            for sign in (1.0, -1.0)
+        )
+        assert (up - down) / (2.0 * step) == pytest.approx((slope * direction).sum(), rel=2e-4, abs=1e-6), name
+
+
+def flown(weights, hidden, policy, seed):
+    """The states (6, T + 1, LANES) of compiled flights, and what the environment flies; and both costs."""
+    envs = helicopters()
+    rollout = Rollout(task_of(residual_policy(), envs, 0.5, 1.0), hidden, np.float64)
+    outcome = rollout.forward(weights, batch_of(envs, seed))
+    flights = fly_many(envs, policy, seed)
+    assert not outcome.crashed.any()
+    costs = [flight_metrics(flight, SHORT, envs.voltage_limits).cost for flight in flights]
+    return rollout.x.transpose(1, 0, 2), np.stack([f.x for f in flights], axis=-1), outcome.cost, np.array(costs)
+
+
+def test_without_a_correction_the_flights_are_those_of_the_base_in_the_environment():
+    task = task_of(residual_policy(), helicopters(), 0.5, 1.0)
+    nothing = Weights(*map(np.zeros_like, random_weights(task, 3, float)))
+    base = make_policy("feedforward+tvlqr@lab", SHORT)
+    states, expected, cost, expected_cost = flown(nothing, 3, base, 7)
+    assert_allclose(states, expected, atol=1e-9)
+    assert_allclose(cost, expected_cost, atol=1e-9)
+
+
+def test_the_flights_are_those_of_the_network_by_numpy_in_the_environment():
+    torch.manual_seed(0)
+    task = task_of(residual_policy(), helicopters(), 0.5, 1.0)
+    actor = Actor(N_SEEN + task.preview.shape[1], 16).double()
+    with torch.no_grad():
+        actor.head.weight.mul_(100.0)
+    policy = residual_policy(network_of(actor))
+    states, expected, cost, expected_cost = flown(weights_of(actor.parameters()), 16, policy, 7)
+    apart = np.abs(states - expected).max(axis=(0, 1))
+    assert np.median(apart) < 1e-4  # tanh is approximated, and a count more or less of an encoder makes a difference
+    assert apart.max() < 0.05
+    assert_allclose(cost, expected_cost, atol=5e-3)
+
+
+def test_other_plants_and_bases_are_refused():
+    rigid = Heli3DOFVectorEnv(2, "rigid", SHORT)
+    with pytest.raises(ValueError, match="plant: must have"):
+        task_of(residual_policy(), rigid, 0.5, 1.0)
+    base = make_policy("kalman-lqr", SHORT)
+    with pytest.raises(ValueError, match="base: must be"):
+        task_of(ResidualPolicy(base, SHORT, None, 1.0, feature_groups=GROUPS, ahead=AHEAD), helicopters(), 0.5, 1.0)

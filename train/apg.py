@@ -1,0 +1,276 @@
+"""Analytic policy gradient: a recurrent correction learns by gradients through the simulator.
+
+Each update flies whole maneuvers of `LANES` drawn helicopters and follows the exact gradient of their mean loss
+(Freeman et al., "Brax", 2021, call this APG) with Adam. The interface is that of Stable-Baselines3's algorithms; files
+are safetensors and JSON, and nothing is unpickled.
+"""
+
+from typing import Any
+
+import numpy as np
+import torch
+from gymnasium.utils.seeding import np_random
+from threadpoolctl import threadpool_limits
+
+from heli_gym.baselines.control.residual import Network, RecurrentNetwork, ResidualPolicy
+from heli_gym.baselines.control.tracking import TrackingPolicy
+from heli_gym.simulation.layout import COUNTS, LAG, LOSS, MEASURED, PARAMETERS, ROTOR, VISCOUS, X
+from heli_gym.train.flight_gradient import LANES, N_BODY, SUBSTEPS, Batch, Outcome, Rollout, Settings, Task, Weights
+from heli_gym.vector_env import Heli3DOFVectorEnv
+
+GROUPS = ("error", "voltages", "preview")  # features that its network is shown
+AHEAD = (0.0, 0.2, 0.4, 0.8, 1.6)  # s
+SEEN = (*range(8), 10, 11)  # of these features, those that depend on the flight; the others depend on time alone
+
+
+class Actor(torch.nn.Module):
+    """A GRU cell and a linear layer, from features (N, F) to actions (N, 2) in [-1, 1]."""
+
+    def __init__(self, features: int, hidden: int) -> None:
+        super().__init__()
+        self.cell = torch.nn.GRUCell(features, hidden)
+        self.head = torch.nn.Linear(hidden, 2)
+        torch.nn.init.zeros_(self.head.bias)
+        with torch.no_grad():
+            self.head.weight.mul_(0.01)  # the first flights are those of the base policy
+
+    def forward(self, features: torch.Tensor, hidden: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+        """Actions (N, 2) and the next hidden state (N, H)."""
+        hidden = self.cell(features, hidden)
+        return torch.tanh(self.head(hidden)), hidden
+
+
+def network_of(actor: Actor) -> RecurrentNetwork:
+    """The actor for numpy."""
+    arrays = [tensor.detach().numpy().astype(float) for tensor in actor.parameters()]
+    return RecurrentNetwork(*arrays[:4], Network((arrays[4],), (arrays[5],), tanh_output=True))
+
+
+class FlightLoss(torch.autograd.Function):
+    """The mean loss of a batch of flights, as a function of the actor's parameters."""
+
+    @staticmethod
+    def forward(
+        ctx: Any, rollout: Rollout, batch: Batch, outcomes: list[Outcome], *tensors: torch.Tensor
+    ) -> torch.Tensor:
+        """Flies the batch, and appends its outcome."""
+        outcome = rollout.forward(weights_of(tensors), batch)
+        outcomes.append(outcome)
+        ctx.rollout, ctx.outcome = rollout, outcome
+        return torch.tensor(rollout.loss(outcome))
+
+    @staticmethod
+    def backward(ctx: Any, *grad_outputs: Any) -> Any:
+        """The gradient by the tensors."""
+        g = ctx.rollout.backward(ctx.outcome)
+        weight_input = np.empty((len(g.input_bias), g.seen.shape[1] + g.preview.shape[1]), np.float32)
+        weight_input[:, SEEN], weight_input[:, others(weight_input.shape[1])] = g.seen, g.preview
+        arrays = weight_input, g.hidden, g.input_bias, g.hidden_bias, g.output, g.output_bias
+        return None, None, None, *(grad_outputs[0] * torch.from_numpy(array) for array in arrays)
+
+
+def others(features: int) -> list[int]:
+    """The features that depend on time alone."""
+    return [k for k in range(features) if k not in SEEN]
+
+
+def weights_of(tensors: Any) -> Weights:
+    """The actor's parameters for the compiled flights."""
+    weight_input, hidden, input_bias, hidden_bias, output, output_bias = (t.detach().numpy() for t in tensors)
+    seen, preview = weight_input[:, SEEN], weight_input[:, others(weight_input.shape[1])]
+    return Weights(np.ascontiguousarray(seen), preview, hidden, input_bias, hidden_bias, output, output_bias)
+
+
+def task_of(policy: ResidualPolicy, envs: Heli3DOFVectorEnv, cost_weight: float, elevation_weight: float) -> Task:
+    """What all flights of these helicopters share, under this policy's base and law.
+
+    Raises ValueError for what the compiled flights leave out.
+    """
+    base = policy.base
+    if not isinstance(base, TrackingPolicy) or policy.law != "saturated":
+        raise ValueError(f"base: must be a feedforward with state feedback, not {type(base).__name__}")
+    for plant in envs.simulation.plants:
+        if (
+            plant.rig is not None
+            or plant.disturbances
+            or plant.sensors is None
+            or plant.is_noisy
+            or any(plant.friction.coulomb)
+        ):
+            raise ValueError("plant: must have encoders, and neither a rig, Coulomb friction, noise nor disturbances")
+    T = policy.x.shape[1] - 1
+    policy.reset(np.random.default_rng(0))
+    _, features = policy.observe(envs.control_period * np.arange(T), policy.x[:, :T])
+    policy.reset(np.random.default_rng(0))
+    low, high = envs.voltage_limits
+    limits = policy.reference.limits
+    sensors = envs.simulation.plants[0].sensors
+    assert sensors is not None
+    settings = Settings(
+        envs.control_period, low, high, envs.pitch_limit, *limits.u, *limits.pitch,
+        float(np.exp(-envs.control_period / sensors.rate_filter)), policy.scale,
+        base.rig.parameters.k_plus, base.rig.parameters.k_minus, cost_weight, elevation_weight,
+    )  # fmt: skip
+    return Task(
+        np.ascontiguousarray(base.x.T),
+        np.ascontiguousarray(base.v.T[:T]),
+        np.ascontiguousarray(base.gains.transpose(2, 0, 1)[:T]),
+        np.ascontiguousarray(features[others(len(features))].T.astype(np.float32)),
+        np.array(settings),
+        int(envs.simulation.plants[0].rotors.delay),
+    )
+
+
+def batch_of(envs: Heli3DOFVectorEnv, seed: int) -> Batch:
+    """The starts and draws of the helicopters after a reset with this seed."""
+    simulation = envs.simulation
+    for j in range(envs.num_envs):  # as `envs.reset` does, without its observations and infos
+        simulation.draw(j, np_random(seed + j)[0])
+    simulation.reset(np.arange(envs.num_envs))
+    rows = simulation.rows
+    k_plus, _, a1, a2, a3, b1, b2, b3, *c = rows(PARAMETERS, 11)
+    lag, loss, viscous, counts = rows(LAG, 1)[0], rows(LOSS, 1)[0], rows(VISCOUS, 3), rows(COUNTS, 3)
+    with np.errstate(divide="ignore"):
+        decay = np.exp(-0.5 * envs.control_period / SUBSTEPS / lag)
+    body = np.array([a1, a2, a3, b1, b2, b3, *(np.array(c) + viscous), (1.0 - loss) * k_plus, decay, *counts])
+    assert body.shape == (N_BODY, LANES)
+    return Batch(body, rows(X, 6).copy(), rows(MEASURED, 6).copy(), rows(ROTOR, 2).copy())
+
+
+class APG:
+    """Analytic policy gradient with the interface of Stable-Baselines3's algorithms.
+
+    Args:
+        policy: residual policy with the base, scale and law to fly with; its feature groups must be `GROUPS`.
+        envs: `LANES` helicopters from which each update draws.
+        learning_rate: of Adam.
+        hidden: states of the GRU cell.
+        max_grad_norm: to which the gradient is clipped.
+        cost_weight, elevation_weight: of the loss, travel's error in degrees having one.
+        seed: of the network's first weights, and of the helicopters.
+
+    Raises:
+        ValueError: for a policy, a plant or a number of helicopters that the compiled flights leave out.
+    """
+
+    def __init__(
+        self,
+        policy: ResidualPolicy,
+        envs: Heli3DOFVectorEnv,
+        learning_rate: float = 2e-3,
+        hidden: int = 96,
+        max_grad_norm: float = 1.0,
+        cost_weight: float = 0.5,
+        elevation_weight: float = 1.0,
+        seed: int = 0,
+    ) -> None:
+        if envs.num_envs != LANES:
+            raise ValueError(f"envs: must be {LANES} helicopters, not {envs.num_envs}")
+        if policy.feature_groups != GROUPS:
+            raise ValueError(f"feature_groups = {policy.feature_groups!r}: must be {GROUPS!r}")
+        torch.manual_seed(seed)
+        self.envs, self.residual, self.seed, self.max_grad_norm = envs, policy, seed, max_grad_norm
+        self.task = task_of(policy, envs, cost_weight, elevation_weight)
+        self.policy = Actor(len(SEEN) + self.task.preview.shape[1], hidden)
+        self.optimizer = torch.optim.Adam(self.policy.parameters(), lr=learning_rate)
+        self.rollout = Rollout(self.task, hidden)
+        self.device = torch.device("cpu")
+        self.lr_schedule: Any = lambda _: learning_rate
+        self.num_timesteps = self._n_updates = 0
+        self.next_seed = seed * 10**6
+        self.logger: Any = None
+        self.outcomes: list[Outcome] = []  # of the last `learn`
+
+    def set_logger(self, logger: Any) -> None:
+        """Log to this logger of Stable-Baselines3."""
+        self.logger = logger
+
+    def get_env(self) -> Heli3DOFVectorEnv:
+        """The helicopters."""
+        return self.envs
+
+    def learn(
+        self,
+        total_timesteps: int,
+        callback: Any = None,
+        log_interval: int = 1,
+        reset_num_timesteps: bool = True,
+        **ignored: Any,
+    ) -> "APG":
+        """Update until this number of control periods has been flown, of all helicopters together."""
+        if reset_num_timesteps:
+            self.num_timesteps = 0
+        end = self.num_timesteps + total_timesteps
+        if callback is not None:
+            callback.init_callback(self)
+            callback.on_training_start({}, {})
+        self.outcomes = []
+        while self.num_timesteps < end:
+            norm = self.update()
+            if callback is not None and not callback.on_step():
+                break
+            if self.logger is not None and self._n_updates % log_interval == 0:
+                self.log(norm)
+        if callback is not None:
+            callback.on_training_end()
+        return self
+
+    def update(self) -> float:
+        """Fly one batch and follow its gradient, whose norm comes back."""
+        with threadpool_limits(1):  # the matrices are small: more threads only make them slower
+            return self._update()
+
+    def _update(self) -> float:
+        for group in self.optimizer.param_groups:
+            group["lr"] = self.lr_schedule(1.0)
+        batch = batch_of(self.envs, self.next_seed)
+        self.next_seed += LANES
+        self.optimizer.zero_grad()
+        FlightLoss.apply(self.rollout, batch, self.outcomes, *self.policy.parameters()).backward()
+        norm = float(torch.nn.utils.clip_grad_norm_(self.policy.parameters(), self.max_grad_norm))
+        if np.isfinite(norm):
+            self.optimizer.step()
+        self.num_timesteps += LANES * len(self.task.v_ref)
+        self._n_updates += 1
+        return norm
+
+    def log(self, norm: float) -> None:
+        """Record the outcome of the last update."""
+        outcome = self.outcomes[-1]
+        for name in Outcome._fields:
+            self.logger.record(f"train/{name}", float(getattr(outcome, name).mean()))
+        self.logger.record("train/gradient_norm", norm)
+        self.logger.dump(self.num_timesteps)
+
+    def predict(
+        self,
+        observation: np.ndarray,
+        state: tuple[np.ndarray, ...] | None = None,
+        episode_start: np.ndarray | None = None,
+        deterministic: bool = True,
+    ) -> tuple[np.ndarray, tuple[np.ndarray, ...]]:
+        """Actions (N, 2) for features (N, F), and the next hidden state (N, H) in a tuple; or of one, without N."""
+        batch = np.atleast_2d(observation)
+        hidden = (
+            np.zeros((len(batch), self.policy.cell.hidden_size)) if state is None else np.atleast_2d(state[0]).copy()
+        )
+        if episode_start is not None:
+            hidden[np.asarray(episode_start, bool)] = 0.0
+        with torch.no_grad():
+            tensors = (torch.as_tensor(values, dtype=torch.float32) for values in (batch, hidden))
+            action, following = self.policy(*tensors)
+        shape = np.shape(observation)[:-1]
+        return action.numpy().reshape(*shape, 2), (following.numpy().reshape(*shape, -1),)
+
+    def network(self) -> RecurrentNetwork:
+        """The network for numpy."""
+        return network_of(self.policy)
+
+    def get_parameters(self) -> dict[str, dict]:
+        """The states of network and optimiser."""
+        return {"policy": self.policy.state_dict(), "policy.optimizer": self.optimizer.state_dict()}
+
+    def set_parameters(self, parameters: dict[str, dict]) -> None:
+        """The inverse of `get_parameters`."""
+        self.policy.load_state_dict(parameters["policy"])
+        self.optimizer.load_state_dict(parameters["policy.optimizer"])

@@ -1,0 +1,553 @@
+"""Gradient of flights with respect to a recurrent network's weights: backpropagation through simulator and network.
+
+A batch is `LANES` flights of plants like `lab`: equation (3) with viscous friction, rotor lag, thrust loss, delay and
+encoders, flown by a feedforward with state feedback, (51), that a GRU corrects. Compiled kernels fly one control period
+and carry its adjoint backwards; the products of the network's matrices are numpy's. Quantisation is passed straight
+through: its derivative counts as one.
+"""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy import cos, floor, sin
+
+from heli_gym.baselines.control.residual import FEATURE_CLIP
+from heli_gym.compilation import Compiler
+from heli_gym.model import axpy, dynamics, rk4_step, virtual_input
+from heli_gym.parameters import HelicopterParameters
+from heli_gym.plant import quantise
+from heli_gym.simulation import fast_math
+from heli_gym.task import TOLERANCE
+
+LANES = 128  # flights of a batch
+SUBSTEPS = 2  # of a control period
+SAFE_PITCH = 1.1  # rad, from which on the pitch is penalised; the flight ends at the stop
+PITCH_PENALTY = 20.0  # 1/(s rad²), of the square of the pitch beyond that
+LEAST_VOLTAGE = 0.5  # V, down to which the slope of the inverse of (2), infinite at zero, is its own
+N_SEEN = 10  # features that depend on the flight: tracking error (6), base voltages (2), last correction (2)
+
+# Rows of what a helicopter is:
+N_BODY = 14
+A1, A2, A3, B1, B2, B3, C1, C2, C3, K_PLUS, LAG_DECAY, COUNTS = range(12)
+
+
+class Task(NamedTuple):
+    """What all flights share. Arrays over the T control periods."""
+
+    x_ref: np.ndarray  # (T + 1, 6)
+    v_ref: np.ndarray  # (T, 2), N
+    gains: np.ndarray  # (T, 2, 6)
+    preview: np.ndarray  # (T, P), single precision: the features that depend on time alone
+    settings: np.ndarray  # (len(Settings._fields),)
+    delay: int  # control periods
+
+
+class Settings(NamedTuple):
+    """Numbers of a task. The kernels get them as an array."""
+
+    period: float  # s
+    u_low: float  # V, the amplifier's limits
+    u_high: float
+    pitch_limit: float  # rad
+    u_min: float  # V and rad, the reference's limits (9)
+    u_max: float
+    pitch_min: float
+    pitch_max: float
+    rate_decay: float  # of the rate filter
+    scale: float  # V, the greatest correction
+    k_plus: float  # N/V², nominal
+    k_minus: float
+    cost_weight: float  # deg/s, of the cost in the loss
+    elevation_weight: float
+
+
+class Weights(NamedTuple):
+    """Of the network: a GRU cell, its gates in torch's order, and a linear layer. Single precision."""
+
+    seen: np.ndarray  # (3H, N_SEEN), columns of the input matrix
+    preview: np.ndarray  # (3H, P), the others
+    hidden: np.ndarray  # (3H, H)
+    input_bias: np.ndarray  # (3H,)
+    hidden_bias: np.ndarray  # (3H,)
+    output: np.ndarray  # (2, H)
+    output_bias: np.ndarray  # (2,)
+
+
+class Batch(NamedTuple):
+    """Starts and plants of the flights. Arrays (..., LANES)."""
+
+    body: np.ndarray  # (N_BODY, LANES)
+    x: np.ndarray  # (6, LANES)
+    measured: np.ndarray  # (6, LANES)
+    u: np.ndarray  # (2, LANES), V, at the motors
+
+
+class Outcome(NamedTuple):
+    """What the flights came to. Arrays (LANES,)."""
+
+    travel_deg: np.ndarray  # RMS error
+    elevation_deg: np.ndarray
+    cost: np.ndarray  # s
+    penalty: np.ndarray
+    crashed: np.ndarray  # 1 or 0
+
+
+# One control period, helicopter by helicopter. Compiled below.
+
+
+def clip(value: Any, low: Any, high: Any) -> Any:
+    """The value within [low, high]."""
+    return min(max(value, low), high)
+
+
+def inside(value: Any, low: Any, high: Any) -> Any:
+    """The derivative of `clip`."""
+    return 1.0 if low < value < high else 0.0
+
+
+def signed_root(f: Any, s: Settings) -> Any:
+    """`model.voltage` without a branch."""
+    root = (abs(f) / (s.k_plus if f >= 0.0 else -s.k_minus)) ** 0.5
+    return root if f >= 0.0 else -root
+
+
+def observe(
+    measured: Any, x_ref: Any, v_ref: Any, gains: Any, settings: Any, last: Any, base: Any, features: Any
+) -> None:
+    """Voltages of the base controller, (51), before they saturate, and the features that depend on the flight."""
+    s = Settings(*settings_of(settings))
+    middle, half = 0.5 * (s.u_low + s.u_high), 0.5 * (s.u_high - s.u_low)
+    for i in range(LANES):
+        v1, v2 = v_ref[0], v_ref[1]
+        for j in range(6):
+            error = measured[j, i] - x_ref[j]
+            v1 -= gains[0, j] * error
+            v2 -= gains[1, j] * error
+            features[j, i] = clip(error / TOLERANCE[j], -FEATURE_CLIP, FEATURE_CLIP)
+        front, back = signed_root(0.5 * (v1 + v2), s), signed_root(0.5 * (v1 - v2), s)
+        base[0, i], base[1, i] = front, back
+        features[6, i] = clip((front - middle) / half, -FEATURE_CLIP, FEATURE_CLIP)
+        features[7, i] = clip((back - middle) / half, -FEATURE_CLIP, FEATURE_CLIP)
+        features[8, i], features[9, i] = last[0, i], last[1, i]
+
+
+def observe_adjoint(
+    x_ref: Any, gains: Any, settings: Any, measured: Any, base: Any, d_features: Any, d_base: Any, d_measured: Any,
+    d_last: Any,
+) -> None:  # fmt: skip
+    """Adds to d_measured; sets d_last."""
+    s = Settings(*settings_of(settings))
+    middle, half = 0.5 * (s.u_low + s.u_high), 0.5 * (s.u_high - s.u_low)
+    for i in range(LANES):
+        d_front = d_base[0, i] + d_features[6, i] / half * inside(
+            (base[0, i] - middle) / half, -FEATURE_CLIP, FEATURE_CLIP
+        )
+        d_back = d_base[1, i] + d_features[7, i] / half * inside(
+            (base[1, i] - middle) / half, -FEATURE_CLIP, FEATURE_CLIP
+        )
+        k_front = s.k_plus if base[0, i] >= 0.0 else -s.k_minus
+        k_back = s.k_plus if base[1, i] >= 0.0 else -s.k_minus
+        d_f = d_front / (2.0 * k_front * max(abs(base[0, i]), LEAST_VOLTAGE))
+        d_b = d_back / (2.0 * k_back * max(abs(base[1, i]), LEAST_VOLTAGE))
+        d_v1, d_v2 = 0.5 * (d_f + d_b), 0.5 * (d_f - d_b)
+        for j in range(6):
+            error = (measured[j, i] - x_ref[j]) / TOLERANCE[j]
+            d_measured[j, i] += (
+                d_features[j, i] / TOLERANCE[j] * inside(error, -FEATURE_CLIP, FEATURE_CLIP)
+                - gains[0, j] * d_v1
+                - gains[1, j] * d_v2
+            )
+        d_last[0, i], d_last[1, i] = d_features[8, i], d_features[9, i]
+
+
+def parameters_of(body: Any, i: int) -> Any:
+    """The helicopter i, its thrust loss included in k_plus."""
+    return HelicopterParameters(
+        body[K_PLUS, i], 0.0, body[A1, i], body[A2, i], body[A3, i], body[B1, i], body[B2, i], body[B3, i],
+        body[C1, i], body[C2, i], body[C3, i],
+    )  # fmt: skip
+
+
+def derivative(x: Any, v: Any, p: Any) -> Any:
+    """(3)."""
+    return dynamics(x, v, p, sin, cos)
+
+
+def derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
+    """The product of d (6) with the Jacobians of (3): for x (6) and v (2)."""
+    s2, c2, s3, c3 = sin(x[2]), cos(x[2]), sin(x[4]), cos(x[4])
+    d_x = (
+        0.0,
+        d[0] - p.c1 * d[1],
+        -p.b1 * s2 * s3 * v[0] * d[1] + (p.a1 * c2 - p.a2 * s2) * d[3] - p.a3 * s2 * s3 * d[5],
+        d[2] - p.c2 * d[3],
+        p.b1 * c2 * c3 * v[0] * d[1] - p.b2 * s3 * v[0] * d[3] + p.a3 * c2 * c3 * d[5],
+        d[4] - p.c3 * d[5],
+    )
+    return d_x, (p.b1 * c2 * s3 * d[1] + p.b2 * c3 * d[3], p.b3 * d[5])
+
+
+def scaled(h: Any, d: Any) -> Any:
+    """h d, component by component (6)."""
+    return h * d[0], h * d[1], h * d[2], h * d[3], h * d[4], h * d[5]
+
+
+def rk4_adjoint(x: Any, inputs: Any, h: Any, p: Any, d: Any) -> Any:
+    """The adjoint of `rk4_step`: d (6) at its end carried to x (6) and to each of the three inputs (2)."""
+    start, middle, end = inputs
+    d1 = derivative(x, start, p)
+    x2 = axpy(x, h / 2.0, d1)
+    d2 = derivative(x2, middle, p)
+    x3 = axpy(x, h / 2.0, d2)
+    d3 = derivative(x3, middle, p)
+    x4 = axpy(x, h, d3)
+    back4, input4 = derivative_adjoint(x4, end, p, scaled(h / 6.0, d))
+    back3, input3 = derivative_adjoint(x3, middle, p, axpy(scaled(h / 3.0, d), h, back4))
+    back2, input2 = derivative_adjoint(x2, middle, p, axpy(scaled(h / 3.0, d), h / 2.0, back3))
+    back1, input1 = derivative_adjoint(x, start, p, axpy(scaled(h / 6.0, d), h / 2.0, back2))
+    d = axpy(axpy(axpy(axpy(d, 1.0, back1), 1.0, back2), 1.0, back3), 1.0, back4)
+    return d, input1, (input2[0] + input3[0], input2[1] + input3[1]), input4
+
+
+def six(values: Any, i: int) -> Any:
+    """The column i of an array (6, LANES)."""
+    return values[0, i], values[1, i], values[2, i], values[3, i], values[4, i], values[5, i]
+
+
+def rotor_inputs(front: Any, back: Any, k: Any) -> Any:
+    """v (2) of rotors that turn forwards at these voltages."""
+    return virtual_input((k * front * front, k * back * back))
+
+
+def excess_slope(value: Any, low: Any, high: Any) -> Any:
+    """The derivative of `task.excess`."""
+    return (1.0 if value > high else (-1.0 if value < low else 0.0)) / (high - low)
+
+
+def excess(value: Any, low: Any, high: Any) -> Any:
+    """`task.excess`."""
+    return max(max(value - high, low - value), 0.0) / (high - low)
+
+
+def fly(
+    settings: Any, body: Any, x: Any, rotors: Any, motors: Any, measured: Any, base: Any, action: Any, alive: Any,
+    x_ref: Any, u: Any, next_x: Any, next_rotors: Any, next_measured: Any, next_alive: Any, sums: Any,
+) -> None:  # fmt: skip
+    """A control period: the voltages asked for, the next state and measurement; adds to the sums of `outcome`."""
+    s = Settings(*settings_of(settings))
+    h = s.period / SUBSTEPS
+    for i in range(LANES):
+        front = clip(clip(base[0, i], s.u_low, s.u_high) + s.scale * action[0, i], s.u_low, s.u_high)
+        back = clip(clip(base[1, i], s.u_low, s.u_high) + s.scale * action[1, i], s.u_low, s.u_high)
+        u[0, i], u[1, i] = front, back
+        p = parameters_of(body, i)
+        decay, k = body[LAG_DECAY, i], body[K_PLUS, i]
+        state, w_f, w_b = six(x, i), rotors[0, i], rotors[1, i]
+        u_f, u_b = motors[0, i], motors[1, i]
+        for _ in range(SUBSTEPS):
+            m_f, m_b = u_f + decay * (w_f - u_f), u_b + decay * (w_b - u_b)
+            e_f, e_b = u_f + decay * (m_f - u_f), u_b + decay * (m_b - u_b)
+            inputs = rotor_inputs(w_f, w_b, k), rotor_inputs(m_f, m_b, k), rotor_inputs(e_f, e_b, k)
+            state = rk4_step(derivative, state, inputs, h, p)
+            w_f, w_b = e_f, e_b
+        on = alive[i]
+        next_rotors[0, i], next_rotors[1, i] = w_f, w_b
+        q1, dq1, q2, dq2, q3, dq3 = state
+        next_x[0, i], next_x[1, i] = (q1 if on > 0.0 else x[0, i]), (dq1 if on > 0.0 else x[1, i])
+        next_x[2, i], next_x[3, i] = (q2 if on > 0.0 else x[2, i]), (dq2 if on > 0.0 else x[3, i])
+        next_x[4, i], next_x[5, i] = (q3 if on > 0.0 else x[4, i]), (dq3 if on > 0.0 else x[5, i])
+        travel, elevation = q1 - x_ref[0], q2 - x_ref[2]
+        over = max(abs(q3) - SAFE_PITCH, 0.0)
+        beyond = excess(q3, s.pitch_min, s.pitch_max) + excess(front, s.u_min, s.u_max) + excess(back, s.u_min, s.u_max)
+        sums[0, i] += on * travel * travel
+        sums[1, i] += on * elevation * elevation
+        sums[2, i] += on * s.period * beyond
+        sums[3, i] += on * s.period * PITCH_PENALTY * over * over
+        next_alive[i] = on if abs(q3) <= s.pitch_limit else 0.0
+        for axis in range(3):
+            counts = body[COUNTS + axis, i]
+            angle = next_x[2 * axis, i]
+            shown = quantise(angle, max(counts, 1.0), floor) if counts > 0.0 else angle
+            rate = s.rate_decay * measured[2 * axis + 1, i]
+            next_measured[2 * axis + 1, i] = rate + (1.0 - s.rate_decay) * (shown - measured[2 * axis, i]) / s.period
+            next_measured[2 * axis, i] = shown
+
+
+def fly_adjoint(
+    settings: Any, body: Any, x: Any, rotors: Any, motors: Any, alive: Any, x_ref: Any, next_x: Any, slopes: Any,
+    d_x: Any, d_rotors: Any, d_measured: Any, d_motors: Any,
+) -> None:  # fmt: skip
+    """The adjoint of `fly`: d_x, d_rotors and d_measured of the period's end become those of its start.
+
+    Adds to d_motors. `slopes` (3, LANES): derivatives of the loss by half the sums of squares of travel and elevation
+    errors, and by cost and penalty.
+    """
+    s = Settings(*settings_of(settings))
+    h = s.period / SUBSTEPS
+    for i in range(LANES):
+        on = alive[i]
+        # the loss at the end of the period
+        q3 = next_x[4, i]
+        over = max(abs(q3) - SAFE_PITCH, 0.0)
+        weight = s.period * slopes[2, i]
+        on_pitch = s.cost_weight * excess_slope(q3, s.pitch_min, s.pitch_max)
+        on_pitch += 2.0 * PITCH_PENALTY * (over if q3 > 0.0 else -over)
+        # the rate filter
+        gain = (1.0 - s.rate_decay) / s.period
+        d1 = d_measured[0, i] + gain * d_measured[1, i]
+        d2 = d_measured[2, i] + gain * d_measured[3, i]
+        d3 = d_measured[4, i] + gain * d_measured[5, i]
+        d = (
+            on * (d_x[0, i] + d1 + slopes[0, i] * (next_x[0, i] - x_ref[0])),
+            on * d_x[1, i],
+            on * (d_x[2, i] + d2 + slopes[1, i] * (next_x[2, i] - x_ref[2])),
+            on * d_x[3, i],
+            on * (d_x[4, i] + d3 + weight * on_pitch),
+            on * d_x[5, i],
+        )
+        for axis in range(3):
+            rate = d_measured[2 * axis + 1, i]
+            d_measured[2 * axis, i] = -on * gain * rate
+            d_measured[2 * axis + 1, i] = on * s.rate_decay * rate
+
+        p = parameters_of(body, i)
+        decay, k = body[LAG_DECAY, i], body[K_PLUS, i]
+        u_f, u_b = motors[0, i], motors[1, i]
+        first, w_f, w_b = six(x, i), rotors[0, i], rotors[1, i]
+        m_f, m_b = u_f + decay * (w_f - u_f), u_b + decay * (w_b - u_b)
+        e_f, e_b = u_f + decay * (m_f - u_f), u_b + decay * (m_b - u_b)
+        n_f, n_b = u_f + decay * (e_f - u_f), u_b + decay * (e_b - u_b)
+        l_f, l_b = u_f + decay * (n_f - u_f), u_b + decay * (n_b - u_b)
+        inputs1 = rotor_inputs(w_f, w_b, k), rotor_inputs(m_f, m_b, k), rotor_inputs(e_f, e_b, k)
+        inputs2 = inputs1[2], rotor_inputs(n_f, n_b, k), rotor_inputs(l_f, l_b, k)
+        second = rk4_step(derivative, first, inputs1, h, p)
+        d, v3, v4, v5 = rk4_adjoint(second, inputs2, h, p, d)
+        d, v1, v2, v3_too = rk4_adjoint(first, inputs1, h, p, d)
+        # from the inputs to the rotors' voltages, the last ones first
+        d_f = d_rotors[0, i] * on + 2.0 * k * l_f * (v5[0] + v5[1])
+        d_b = d_rotors[1, i] * on + 2.0 * k * l_b * (v5[0] - v5[1])
+        to_f, to_b = (1.0 - decay) * d_f, (1.0 - decay) * d_b
+        d_f = decay * d_f + 2.0 * k * n_f * (v4[0] + v4[1])
+        d_b = decay * d_b + 2.0 * k * n_b * (v4[0] - v4[1])
+        to_f, to_b = to_f + (1.0 - decay) * d_f, to_b + (1.0 - decay) * d_b
+        d_f = decay * d_f + 2.0 * k * e_f * (v3[0] + v3_too[0] + v3[1] + v3_too[1])
+        d_b = decay * d_b + 2.0 * k * e_b * (v3[0] + v3_too[0] - v3[1] - v3_too[1])
+        to_f, to_b = to_f + (1.0 - decay) * d_f, to_b + (1.0 - decay) * d_b
+        d_f = decay * d_f + 2.0 * k * m_f * (v2[0] + v2[1])
+        d_b = decay * d_b + 2.0 * k * m_b * (v2[0] - v2[1])
+        to_f, to_b = to_f + (1.0 - decay) * d_f, to_b + (1.0 - decay) * d_b
+        d_rotors[0, i] = decay * d_f + 2.0 * k * w_f * (v1[0] + v1[1])
+        d_rotors[1, i] = decay * d_b + 2.0 * k * w_b * (v1[0] - v1[1])
+        d_motors[0, i] += to_f
+        d_motors[1, i] += to_b
+        d_x[0, i], d_x[1, i], d_x[2, i], d_x[3, i], d_x[4, i], d_x[5, i] = d
+
+
+def command_adjoint(settings: Any, base: Any, action: Any, alive: Any, u: Any, weight: Any, d_u: Any, d_action: Any,
+                    d_base: Any) -> None:  # fmt: skip
+    """Sets d_action and d_base from the derivative d_u of the loss by the voltages asked for, cost excepted."""
+    s = Settings(*settings_of(settings))
+    for motor in range(2):
+        for i in range(LANES):
+            beyond = alive[i] * weight[i] * s.period * s.cost_weight * excess_slope(u[motor, i], s.u_min, s.u_max)
+            d = d_u[motor, i] + beyond
+            whole = clip(base[motor, i], s.u_low, s.u_high) + s.scale * action[motor, i]
+            d *= inside(whole, s.u_low, s.u_high)
+            d_action[motor, i] = s.scale * d
+            d_base[motor, i] = d * inside(base[motor, i], s.u_low, s.u_high)
+
+
+def settings_of(a: Any) -> Any:
+    """The numbers of `Settings` out of their array."""
+    return a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12], a[13]
+
+
+# The GRU cell, element by element.
+
+
+def tanh(x: Any) -> Any:
+    """tanh in single precision, to 4e-7: the rational minimax approximation of Eigen, free of branches."""
+    x = min(max(x, -9.0), 9.0)
+    y = x * x
+    p = -2.76076847742355e-16 * y + 2.00018790482477e-13
+    p = ((((p * y - 8.60467152213735e-11) * y + 5.12229709037114e-08) * y + 1.48572235717979e-05) * y
+         + 6.37261928875436e-04) * y + 4.89352455891786e-03  # fmt: skip
+    q = ((1.19825839466702e-06 * y + 1.18534705686654e-04) * y + 2.26843463243900e-03) * y + 4.89352518554385e-03
+    return x * p / q
+
+
+def sigmoid(x: Any) -> Any:
+    """1 / (1 + exp(-x))."""
+    return 0.5 + 0.5 * tanh(0.5 * x)
+
+
+def gru(from_input: Any, from_hidden: Any, bias: Any, hidden_bias: Any, hidden: Any, gates: Any, result: Any) -> None:
+    """The next hidden state (H, LANES), and the gates (4H, LANES): reset, update, new, and the hidden part of new.
+
+    From the products (3H, LANES) of features and hidden state with their matrices.
+    """
+    n = len(hidden)
+    for j in range(n):
+        b_r, b_z = bias[j] + hidden_bias[j], bias[n + j] + hidden_bias[n + j]
+        b_n, b_h = bias[2 * n + j], hidden_bias[2 * n + j]
+        for i in range(LANES):
+            r = sigmoid(from_input[j, i] + from_hidden[j, i] + b_r)
+            z = sigmoid(from_input[n + j, i] + from_hidden[n + j, i] + b_z)
+            from_old = from_hidden[2 * n + j, i] + b_h
+            new = tanh(from_input[2 * n + j, i] + b_n + r * from_old)
+            gates[j, i], gates[n + j, i], gates[2 * n + j, i], gates[3 * n + j, i] = r, z, new, from_old
+            result[j, i] = new + z * (hidden[j, i] - new)
+
+
+def gru_adjoint(gates: Any, hidden: Any, d_result: Any, d_input: Any, d_hidden_product: Any) -> None:
+    """The derivatives by both products of `gru`; d_result becomes the part of that by the hidden state without them."""
+    n = len(hidden)
+    for j in range(n):
+        for i in range(LANES):
+            r, z, new, from_old = gates[j, i], gates[n + j, i], gates[2 * n + j, i], gates[3 * n + j, i]
+            d = d_result[j, i]
+            d_new = d * (1.0 - z) * (1.0 - new * new)
+            d_z = d * (hidden[j, i] - new) * z * (1.0 - z)
+            d_r = d_new * from_old * r * (1.0 - r)
+            d_input[j, i], d_input[n + j, i], d_input[2 * n + j, i] = d_r, d_z, d_new
+            d_hidden_product[j, i], d_hidden_product[n + j, i] = d_r, d_z
+            d_hidden_product[2 * n + j, i] = d_new * r
+            d_result[j, i] = d * z
+
+
+class Kernels(NamedTuple):
+    """The compiled functions."""
+
+    observe: Callable
+    observe_adjoint: Callable
+    fly: Callable
+    fly_adjoint: Callable
+    command_adjoint: Callable
+    gru: Callable
+    gru_adjoint: Callable
+
+
+@cache
+def kernels(dtype: type) -> Kernels:
+    """The flight in double precision, the network in that of this dtype."""
+    double = Compiler(np.float64, {"sin": fast_math.sine, "cos": fast_math.cosine})
+    flight = map(double.entry, (observe, observe_adjoint, fly, fly_adjoint, command_adjoint))
+    return Kernels(*flight, *map(Compiler(dtype).entry, (gru, gru_adjoint)))
+
+
+class Rollout:
+    """Memory for flights of a batch, forwards and backwards.
+
+    Args:
+        task: what all flights share.
+        hidden: H, of the network.
+        dtype: of the network's numbers.
+    """
+
+    def __init__(self, task: Task, hidden: int, dtype: type = np.float32) -> None:
+        T, n = len(task.v_ref), hidden
+        self.task, self.hidden, self.dtype = task, n, dtype
+        self.settings = Settings(*task.settings.tolist())
+
+        def double(*shape: int) -> np.ndarray:
+            return np.zeros((*shape, LANES))
+
+        def single(*shape: int) -> np.ndarray:
+            return np.zeros((*shape, LANES), dtype)
+
+        self.x, self.rotors, self.measured, self.alive = (
+            double(T + 1, 6),
+            double(T + 1, 2),
+            double(T + 1, 6),
+            double(T + 1),
+        )
+        self.u = double(T + task.delay, 2)  # asked for in the period t: u[t + delay]
+        self.base, self.features, self.action = double(T, 2), single(T, N_SEEN), single(T + 1, 2)
+        self.h, self.gates = single(T + 1, n), single(T, 4 * n)
+        self.from_hidden, self.from_input, self.output = single(3 * n), single(3 * n), single(2)
+
+    def forward(self, weights: Weights, batch: Batch) -> Outcome:
+        """Flies."""
+        k, task, s = kernels(self.dtype), self.task, self.task.settings
+        T, delay = len(task.v_ref), task.delay
+        self.batch, self.weights = batch, weights
+        self.x[0], self.measured[0], self.rotors[0], self.alive[0] = batch.x, batch.measured, batch.u, 1.0
+        self.u[:delay] = batch.u
+        bias = task.preview @ weights.preview.T + weights.input_bias
+        sums = np.zeros((4, LANES))
+        for t in range(T):
+            k.observe(
+                self.measured[t], task.x_ref[t], task.v_ref[t], task.gains[t], s, self.action[t], self.base[t],
+                self.features[t],
+            )  # fmt: skip
+            np.matmul(weights.hidden, self.h[t], out=self.from_hidden)
+            np.matmul(weights.seen, self.features[t], out=self.from_input)
+            k.gru(
+                self.from_input, self.from_hidden, bias[t], weights.hidden_bias, self.h[t], self.gates[t], self.h[t + 1]
+            )
+            np.matmul(weights.output, self.h[t + 1], out=self.output)
+            self.output += weights.output_bias[:, None]
+            np.tanh(self.output, out=self.action[t + 1])
+            k.fly(
+                s, batch.body, self.x[t], self.rotors[t], self.u[t], self.measured[t], self.base[t], self.action[t + 1],
+                self.alive[t], task.x_ref[t + 1], self.u[t + delay], self.x[t + 1], self.rotors[t + 1],
+                self.measured[t + 1], self.alive[t + 1], sums,
+            )  # fmt: skip
+        travel, elevation = np.degrees(np.sqrt(sums[:2] / T))
+        return Outcome(travel, elevation, sums[2], sums[3], 1.0 - self.alive[T])
+
+    def loss(self, outcome: Outcome) -> float:
+        """Mean over the flights: quadratic-mean errors in degrees, weighted cost, and penalty."""
+        s = self.settings
+        each = outcome.travel_deg + s.elevation_weight * outcome.elevation_deg + s.cost_weight * outcome.cost
+        return float((each + outcome.penalty).mean())
+
+    def backward(self, outcome: Outcome) -> Weights:
+        """The gradient of `loss` of the flights that were flown last."""
+        k, task, s, w, batch = kernels(self.dtype), self.task, self.task.settings, self.weights, self.batch
+        T, n, delay = len(task.v_ref), self.hidden, task.delay
+        squares = np.radians(1.0) ** 2 * T * LANES  # d rms / d (sum / 2), rms in degrees
+        slopes = np.stack(
+            (
+                1.0 / (squares * np.maximum(outcome.travel_deg, 0.02)),
+                self.settings.elevation_weight / (squares * np.maximum(outcome.elevation_deg, 0.02)),
+                np.full(LANES, 1.0 / LANES),
+            )
+        )
+        d_x, d_rotors, d_measured = np.zeros((6, LANES)), np.zeros((2, LANES)), np.zeros((6, LANES))
+        d_u, d_base = np.zeros((T + delay, 2, LANES)), np.zeros((2, LANES))
+        d_action, d_last = np.zeros((2, LANES)), np.zeros((2, LANES))
+        d_h = np.zeros((n, LANES), self.dtype)
+        d_input, d_product = np.zeros((3 * n, LANES), self.dtype), np.zeros((3 * n, LANES), self.dtype)
+        d_features = np.zeros((N_SEEN, LANES), self.dtype)
+        d_bias = np.zeros((T, 3 * n), self.dtype)
+        g = Weights(*map(np.zeros_like, w))
+        hidden_t, seen_t, output_t = (np.ascontiguousarray(m.T) for m in (w.hidden, w.seen, w.output))
+        for t in reversed(range(T)):
+            k.fly_adjoint(
+                s, batch.body, self.x[t], self.rotors[t], self.u[t], self.alive[t], task.x_ref[t + 1], self.x[t + 1],
+                slopes, d_x, d_rotors, d_measured, d_u[t],
+            )  # fmt: skip
+            k.command_adjoint(
+                s, self.base[t], self.action[t + 1], self.alive[t], self.u[t + delay], slopes[2], d_u[t + delay],
+                d_action, d_base,
+            )  # fmt: skip
+            d_output = ((d_action + d_last) * (1.0 - self.action[t + 1] ** 2)).astype(self.dtype)
+            g.output[:] += d_output @ self.h[t + 1].T
+            g.output_bias[:] += d_output.sum(axis=1)
+            d_h += output_t @ d_output
+            k.gru_adjoint(self.gates[t], self.h[t], d_h, d_input, d_product)
+            g.hidden[:] += d_product @ self.h[t].T
+            g.hidden_bias[:] += d_product.sum(axis=1)
+            g.seen[:] += d_input @ self.features[t].T
+            d_bias[t] = d_input.sum(axis=1)
+            d_h += hidden_t @ d_product
+            np.matmul(seen_t, d_input, out=d_features)
+            k.observe_adjoint(
+                task.x_ref[t], task.gains[t], s, self.measured[t], self.base[t], d_features, d_base, d_measured, d_last
+            )
+        g.preview[:] = d_bias.T @ task.preview
+        g.input_bias[:] = d_bias.sum(axis=0)
+        return g
