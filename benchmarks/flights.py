@@ -25,14 +25,20 @@ SEEDS = (0, 1)
 SAME = 1e-12  # relative, where the compiler rounds otherwise
 
 
+def action_of(env, u):
+    """The action of voltages in V, whose scale differs between commits."""
+    core = env.unwrapped
+    return core.to_action(u) if hasattr(core, "to_action") else u / 6.0 - 1.0
+
+
 def random_flight(plant: str, seed: int) -> dict[str, np.ndarray]:
     """One helicopter under random voltages about hover."""
     env = gym.make("Heli3DOF-v0", plant=plant, start_spread_deg=3.0)
     _, info = env.reset(seed=seed)
-    actions = np.random.default_rng(seed).normal(0.3, 0.05, (200, 2)).astype(np.float32)
+    voltages = np.random.default_rng(seed).normal(7.8, 0.3, (200, 2))
     states, rewards = [info["state"]], []
-    for action in actions:
-        _, reward, terminated, truncated, info = env.step(action)
+    for u in voltages:
+        _, reward, terminated, truncated, info = env.step(action_of(env, u))
         states.append(info["state"])
         rewards.append(reward)
         if terminated or truncated:
@@ -47,7 +53,7 @@ def many_flights(plant: str, count: int = 130, steps: int = 120) -> dict[str, np
     rng = np.random.default_rng(1)
     states, rewards = [], []
     for _ in range(steps):
-        _, reward, _, _, info = envs.step(rng.normal(0.3, 0.2, (count, 2)).astype(np.float32))
+        _, reward, _, _, info = envs.step(action_of(envs, rng.normal(7.8, 1.2, (count, 2))))
         states.append(info["state"].copy())
         rewards.append(reward)
     return {"states": np.array(states), "rewards": np.array(rewards)}

@@ -16,10 +16,10 @@ from gymnasium.utils.seeding import np_random
 from numpy.typing import ArrayLike
 
 from heli_gym import task
-from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
+from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer, RenderState
-from heli_gym.simulation.kernels import ARRIVED, CRASHED, ENDED_OFF_GOAL, FLYING, NOT_FINITE, OBSERVED, one_step
+from heli_gym.simulation.kernels import ARRIVED, CRASHED, ENDED_OFF_GOAL, FLYING, NOT_FINITE, one_step
 from heli_gym.simulation.layout import COMMAND, LAST, MEASURED, N_OUTPUTS_SENSED, REFERENCE_ROW, STEP, TIME, X
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
@@ -103,37 +103,44 @@ class Heli3DOFEnv(gym.Env):
 
     ## Action Space
 
-    A `Box(-1, 1, (2,), float32)`: the voltages of the two fans, -1 and 1 being the amplifier's limits. Beyond them the
-    amplifier saturates. NaN, infinity or a wrong shape is a `ValueError`.
+    A `Box(-1, 1, (2,), float32)`: the voltages of the two fans. Zero is the voltage at which the rig hovers with its
+    arm level, -1 and 1 are the amplifier's limits, and between these the voltage is linear on either side. Outside,
+    the amplifier saturates. Whatever is not two finite real numbers is a `ValueError`. `to_voltage` and `to_action` of
+    the environment convert.
 
-    | Num | Action           | Min | Max | Voltage at min | Voltage at max | Hover  |
-    |-----|------------------|-----|-----|----------------|----------------|--------|
-    | 0   | front fan, `u_f` | -1  | 1   | 0 V            | 12 V           | 7.89 V |
-    | 1   | back fan, `u_b`  | -1  | 1   | 0 V            | 12 V           | 7.89 V |
+    | Num | Action           | Min | Max | Voltage at -1 | Voltage at 0 | Voltage at 1 |
+    |-----|------------------|-----|-----|---------------|--------------|--------------|
+    | 0   | front fan, `u_f` | -1  | 1   | 0 V           | 7.893 V      | 12 V         |
+    | 1   | back fan, `u_b`  | -1  | 1   | 0 V           | 7.893 V      | 12 V         |
+
+    The rig is the plant's `parameters`, or Table I where episodes draw them. Where hover is not within the amplifier's
+    limits by a twentieth of their range, zero is the middle between them.
 
     ## Observation Space
 
-    A `Box` of 49 float32 values: the measured tracking error, the last voltages, then the reference and its nominal
-    voltages now and 0.1, 0.2, 0.4 and 0.8 s ahead, and the remaining time. On the nominal plant that makes the task
-    Markov. The bounds follow from the greatest acceleration that the plant, its disturbances (gusts up to six standard
-    deviations) and the amplifier allow, so that nothing is clipped.
+    A `Box` of 48 float32 values, the same for every plant, reference, control period and limit: the measured tracking
+    error, the last voltages, then the reference and its nominal voltages now and 0.1, 0.2, 0.4 and 0.8 s ahead, and the
+    remaining time, each in the unit of the table. On the nominal plant that makes the task Markov. Entries saturate at
+    10 units, which no flight worth continuing reaches: at 10 rad of travel error, for instance, or 5 rad/s of elevation
+    rate. All entries are within -10 and 10, the remaining time within 0 and 10.
 
-    | Num    | Observation                                            | Unit  |
-    |--------|--------------------------------------------------------|-------|
-    | 0      | travel minus reference                                 | rad   |
-    | 1      | travel rate minus reference                            | rad/s |
-    | 2      | elevation minus reference (positive is down)           | rad   |
-    | 3      | elevation rate minus reference                         | rad/s |
-    | 4      | pitch minus reference                                  | rad   |
-    | 5      | pitch rate minus reference                             | rad/s |
-    | 6-7    | last voltages (front, back)                            | V     |
-    | 8-13   | reference state now, in the order of 0-5               | rad, rad/s |
-    | 14-15  | nominal voltages (front, back) in the coming period    | V     |
-    | 16-23  | the same as 8-15, 0.1 s ahead                          |       |
-    | 24-31  | 0.2 s ahead                                            |       |
-    | 32-39  | 0.4 s ahead                                            |       |
-    | 40-47  | 0.8 s ahead                                            |       |
-    | 48     | remaining time                                         | s     |
+    | Num    | Observation                                                        | Unit       |
+    |--------|--------------------------------------------------------------------|------------|
+    | 0      | travel minus reference                                             | 1 rad      |
+    | 1      | travel rate minus reference                                        | 1 rad/s    |
+    | 2      | elevation minus reference (positive is down)                       | 0.25 rad   |
+    | 3      | elevation rate minus reference                                     | 0.5 rad/s  |
+    | 4      | pitch minus reference                                              | 0.5 rad    |
+    | 5      | pitch rate minus reference                                         | 2 rad/s    |
+    | 6-7    | last voltages (front, back), minus 6 V                             | 6 V        |
+    | 8-12   | reference state now, without the travel: in the order of 1-5       | as 1-5     |
+    | 13-14  | nominal voltages (front, back) in the coming period, minus 6 V     | 6 V        |
+    | 15     | travel of the reference from now to 0.1 s ahead                    | 1 rad      |
+    | 16-22  | the same as 8-14, 0.1 s ahead                                      | as 8-14    |
+    | 23-30  | the same as 15-22, 0.2 s ahead                                     | as 15-22   |
+    | 31-38  | the same, 0.4 s ahead                                              | as 15-22   |
+    | 39-46  | the same, 0.8 s ahead                                              | as 15-22   |
+    | 47     | remaining time                                                     | 10 s       |
 
     `info["state"]` is the true state (44), `info["measurement"]` what a controller may use (on the nominal plant the
     same), `info["time"]` the time in s, `info["voltage"]` the voltages commanded in the last period, within the
@@ -189,7 +196,9 @@ class Heli3DOFEnv(gym.Env):
 
     ## Version History
 
-    - v0: first version.
+    - v0: first version. Before its first release the space of observations depended on the arguments, with 49 entries
+      in rad, rad/s, V and s, and the action zero was the middle of the amplifier's limits; models trained then must be
+      trained again.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["human", "rgb_array"], "render_fps": 50}  # noqa: RUF012
@@ -223,12 +232,10 @@ class Heli3DOFEnv(gym.Env):
         if not isinstance(random_start, bool | np.bool_):
             raise ValueError(f"random_start = {random_start!r}: must be True or False")
         self.random_start = bool(random_start)
+        self.hover_voltage = task.hover_voltage(design_parameters(self.plant), self.voltage_limits)
         self.own_simulation = self.simulation = self._simulation(self.plant)
-        _, feature_bound = self.simulation.feature_bound[0]
-        self.bound = task.observation_bound(
-            feature_bound, self.plant, self.voltage_limits, self.pitch_limit, self.control_period
-        ).astype(np.float32)
-        self.observation_space = Box(-self.bound, self.bound, dtype=np.float32)
+        low, high = task.observation_bounds()
+        self.observation_space = Box(low.astype(np.float32), high.astype(np.float32), dtype=np.float32)
         self.action_space = Box(-1.0, 1.0, (2,), dtype=np.float32)
         self.over = True
         self._spec: EnvSpec | None = None
@@ -274,7 +281,7 @@ class Heli3DOFEnv(gym.Env):
         if self.over:
             raise gym.error.ResetNeeded("the episode is over: call reset before step")
         # What takes time here is Python's handling of arrays, not the flight: look at benchmarks/ before adding one.
-        observation, outputs = np.empty(OBSERVED, np.float32), np.empty(N_OUTPUTS_SENSED)
+        observation, outputs = np.empty(task.OBSERVED, np.float32), np.empty(N_OUTPUTS_SENSED)
         try:
             front, back = action.tolist() if action.dtype.char in "fd" else two_numbers(action)  # type: ignore[union-attr]
             time, reward, cost, over = self.step_one(self.memory, front, back, observation, outputs)
@@ -313,6 +320,14 @@ class Heli3DOFEnv(gym.Env):
     def __getstate__(self) -> dict[str, Any]:
         return {**vars(self), "renderer": None}  # a window cannot be copied, and is opened again where one is wanted
 
+    def to_voltage(self, action: ArrayLike) -> np.ndarray:
+        """Voltages (2,) in V of an action (2,)."""
+        return task.to_voltage(np.asarray(action, float), self.voltage_limits, self.hover_voltage)
+
+    def to_action(self, u: ArrayLike) -> np.ndarray:
+        """The action (2,) of voltages (2,) in V, the inverse of `to_voltage`."""
+        return task.to_action(np.asarray(u, float), self.voltage_limits, self.hover_voltage)
+
     def render(self) -> np.ndarray | None:
         """The helicopter now: a picture (720, 960, 3), uint8, or None and a window, as the render mode says.
 
@@ -347,6 +362,7 @@ class Heli3DOFEnv(gym.Env):
             self.pitch_limit,
             math.radians(self.start_spread_deg),
             self.random_start,
+            hover=self.hover_voltage,
         )
 
     def _start(self, value: Any, reference: Trajectory) -> np.ndarray | None:
@@ -361,6 +377,12 @@ class Heli3DOFEnv(gym.Env):
                 f"reference's start {nominal} and with the pitch within {self.pitch_limit:g} rad"
             )
         return np.array([state])
+
+
+def design_parameters(plant: Plant) -> HelicopterParameters:
+    """The parameters that actions are scaled by: the plant's where episodes do not draw them, else Table I."""
+    numbers = plant.parameters
+    return numbers if all(isinstance(number, Real) for number in numbers) else HelicopterParameters()
 
 
 class SeedError(gym.error.Error, ValueError):

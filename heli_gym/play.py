@@ -21,7 +21,7 @@ from heli_gym.env import Heli3DOFEnv
 from heli_gym.model import fan_thrusts, hover_input, linearise, voltage
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.rendering import load_pygame
-from heli_gym.task import EFFORT_TOLERANCE, TOLERANCE, to_action
+from heli_gym.task import EFFORT_TOLERANCE, TOLERANCE
 
 LIFT, ROLL = 1.5, 0.6  # V on each fan, for as long as a key is held
 FASTEST = np.array((0.9, 0.15))  # rad/s, travel and elevation of the set-point, while a key is held
@@ -62,7 +62,7 @@ class Assist(gym.Wrapper):
         self.acceleration = self.acceleration + period * jerk
         x, v = set_point(self.position, self.rate, self.acceleration, self.parameters)
         u = voltage(fan_thrusts(v - self.gain @ (self.measurement - x)), self.parameters)
-        observation, reward, terminated, truncated, info = self.env.step(to_action(u, self.helicopter.voltage_limits))
+        observation, reward, terminated, truncated, info = self.env.step(self.helicopter.to_action(u))
         self.measurement = info["measurement"]
         return observation, reward, terminated, truncated, info
 
@@ -96,11 +96,11 @@ def set_point(
 
 
 def keyboard(hover: np.ndarray, up: np.ndarray, left: np.ndarray) -> dict[tuple[int, ...], np.ndarray]:
-    """Actions (2,), float32, of every combination of the arrow keys: opposite ones cancel."""
+    """Sums (2,) for every combination of the arrow keys: opposite ones cancel."""
     pygame = load_pygame()
     effects = {pygame.K_UP: up, pygame.K_DOWN: -up, pygame.K_LEFT: left, pygame.K_RIGHT: -left}
     return {
-        keys: np.clip(hover + sum(effects[key] for key in keys), -1.0, 1.0).astype(np.float32)
+        keys: hover + sum(effects[key] for key in keys)
         for count in range(1, len(effects) + 1)
         for keys in combinations(effects, count)
     }
@@ -108,16 +108,15 @@ def keyboard(hover: np.ndarray, up: np.ndarray, left: np.ndarray) -> dict[tuple[
 
 def mapping(env: gym.Env) -> tuple[dict[tuple[int, ...], np.ndarray], np.ndarray]:
     """What the arrow keys do in an environment, and what no key does: actions (2,), float32."""
+    rest = np.zeros(2, dtype=np.float32)  # hover, or no command to the feedback
     if isinstance(env, Assist):
-        rest = np.zeros(2, dtype=np.float32)
-        return keyboard(rest, np.array((0.0, -1.0)), np.array((1.0, 0.0))), rest
+        commands = keyboard(rest, np.array((0.0, -1.0)), np.array((1.0, 0.0)))
+        return {keys: np.clip(command, -1.0, 1.0).astype(np.float32) for keys, command in commands.items()}, rest
     helicopter: Heli3DOFEnv = env.unwrapped  # type: ignore[assignment]
-    low, high = helicopter.voltage_limits
-    hover = to_action(voltage(fan_thrusts(hover_input(0.0, HelicopterParameters()))), (low, high))
-    unit = 2.0 / (high - low)  # of an action, per V
+    hover = helicopter.hover_voltage
     # A fan that is lower in front tilts the thrust so that the travel grows, since b1 < 0 in (3).
-    actions = keyboard(hover, unit * LIFT * np.ones(2), unit * ROLL * np.array((-1.0, 1.0)))
-    return actions, hover.astype(np.float32)
+    voltages = keyboard(hover, LIFT * np.ones(2), ROLL * np.array((-1.0, 1.0)))
+    return {keys: helicopter.to_action(u).clip(-1.0, 1.0).astype(np.float32) for keys, u in voltages.items()}, rest
 
 
 def main(arguments: list[str] | None = None) -> None:

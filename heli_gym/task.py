@@ -1,20 +1,27 @@
-"""What the environment asks for: action, observation, reward, cost, termination and success.
+"""What the environment defines: action, observation, reward, cost, termination and success.
 
 Pure functions that broadcast: components first, floats or arrays alike.
 """
 
 import math
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
+from heli_gym.model import fan_thrusts, hover_input, voltage
 from heli_gym.parameters import HelicopterParameters, Limits
-from heli_gym.plant import AXES, Disturbance, Gust, MovingMass, Plant, Push, magnitude
 from heli_gym.trajectory import Trajectory
 
 PREVIEW = (0.0, 0.1, 0.2, 0.4, 0.8)  # s ahead, at which the observation shows the reference
-FEATURES = 8 * len(PREVIEW) + 1  # numbers that it shows: states and voltages, and the remaining time
+FEATURES = 8 * len(PREVIEW)  # entries of an observation that depend on the reference and the time alone
+OBSERVED = 8 + FEATURES  # entries of an observation: tracking error, last voltages, features
+TABLE_WIDTH = 8 + FEATURES  # numbers of a reference at one control step: state, nominal voltages, features
+
+# The units of an observation: the same for every plant, reference, rig, period and limit.
+STATE_SCALE = (1.0, 1.0, 0.25, 0.5, 0.5, 2.0)  # rad and rad/s, of tracking errors and of the reference
+VOLTAGE_CENTRE, VOLTAGE_SCALE = 6.0, 6.0  # V
+TIME_SCALE = 10.0  # s
+OBSERVATION_LIMIT = 10.0  # units, at which every entry saturates: 10 rad of travel error, 5 rad of pitch, 66 V, 100 s
 
 # The tracking error (travel, elevation, pitch, each with its rate; rad and rad/s) that counts as one in the reward,
 # and within which the flight has succeeded at its end.
@@ -22,20 +29,48 @@ TOLERANCE = tuple(math.radians(degrees) for degrees in (3.0, 6.0, 3.0, 6.0, 6.0,
 EFFORT_TOLERANCE = 6.0  # V, from the nominal voltage, likewise
 
 FARTHEST_START = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # rad and rad/s, between a start and the reference's
-FARTHEST_DRAWN = (math.tau, 1.0, 1.0, 1.0, 1.0, 1.0)  # rad and rad/s, where references that are drawn start at most
-GUST_DEVIATIONS = 6.0  # standard deviations of a gust, which has no bound, that the observation's bounds allow
+HOVER_MARGIN = 0.05  # of the amplifier's range, which hover leaves at either end where it is the action zero
 
 
-def to_voltage(action: Any, voltage_limits: tuple[float, float]) -> Any:
-    """Voltages in V of actions: -1 and 1 are the amplifier's limits."""
+def to_voltage(action: Any, voltage_limits: tuple[float, float], hover: Any) -> Any:
+    """Voltages in V of actions in [-1, 1]: zero is `hover` in V, -1 and 1 are the amplifier's limits, linear between.
+
+    Element by element; `hover` is one number, or the voltages of both fans.
+    """
     low, high = voltage_limits
-    return 0.5 * (low + high) + 0.5 * (high - low) * action
+    up, down = 0.5 * (action + abs(action)), 0.5 * (action - abs(action))
+    return hover + up * (high - hover) + down * (hover - low)
 
 
-def to_action(u: Any, voltage_limits: tuple[float, float]) -> Any:
+def to_action(u: Any, voltage_limits: tuple[float, float], hover: Any) -> Any:
     """Actions of voltages in V, the inverse of `to_voltage`."""
     low, high = voltage_limits
-    return (u - 0.5 * (low + high)) / (0.5 * (high - low))
+    off = u - hover
+    return 0.5 * (off + abs(off)) / (high - hover) + 0.5 * (off - abs(off)) / (hover - low)
+
+
+def hover_voltage(parameters: HelicopterParameters, voltage_limits: tuple[float, float]) -> np.ndarray:
+    """Voltages (2,) in V that hold (3) at rest with the arm level: the action zero.
+
+    The middle of the amplifier's limits where hover is not within them, by a margin.
+    """
+    low, high = voltage_limits
+    with np.errstate(divide="ignore", invalid="ignore"):
+        u = voltage(np.array(fan_thrusts(hover_input(0.0, parameters))), parameters)
+    margin = HOVER_MARGIN * (high - low)
+    return np.where((low + margin <= u) & (u <= high - margin), u, 0.5 * (low + high))
+
+
+def observed_error(error: Any) -> tuple:
+    """A tracking error (6, ...) in the units of an observation."""
+    e1, e2, e3, e4, e5, e6 = error
+    s1, s2, s3, s4, s5, s6 = STATE_SCALE
+    return e1 / s1, e2 / s2, e3 / s3, e4 / s4, e5 / s5, e6 / s6
+
+
+def observed_voltage(u: Any) -> Any:
+    """Voltages in V in the units of an observation."""
+    return (u - VOLTAGE_CENTRE) / VOLTAGE_SCALE
 
 
 def reward(error: Any, du: Any) -> Any:
@@ -92,93 +127,23 @@ def control_grid(reference: Trajectory, control_period: float, ahead: float = 0.
     return reference(t)[0], reference(t + 0.5 * control_period)[1]
 
 
-def reference_features(reference: Trajectory, control_period: float) -> np.ndarray:
-    """What the observation shows of the reference at each control step: (8 len(PREVIEW) + 1, K + 1).
+def reference_table(reference: Trajectory, control_period: float) -> np.ndarray:
+    """A reference at each control step, (TABLE_WIDTH, K + 1): state, nominal voltages, features of the observation.
 
-    State and nominal voltages at each time of PREVIEW ahead, then the remaining time.
+    The features are, at each time of PREVIEW ahead, the travel from now on (not at 0 s, where it is zero), the other
+    five of the state, the nominal voltages; then the remaining time. All of them in their units, and saturated.
     """
-    seen = [row for ahead in PREVIEW for row in control_grid(reference, control_period, ahead)]
-    t = control_period * np.arange(seen[0].shape[1])
-    return np.concatenate((*seen, np.maximum(reference.duration - t, 0.0)[None]))
+    ahead = [control_grid(reference, control_period, seconds) for seconds in PREVIEW]
+    (x, u), rows = ahead[0], []
+    for x_ahead, u_ahead in ahead:
+        from_now_on = x_ahead - np.concatenate((x[:1], np.zeros((5, x.shape[1]))))
+        rows += [np.stack(observed_error(from_now_on)), observed_voltage(u_ahead)]
+    remaining = np.maximum(reference.duration - control_period * np.arange(x.shape[1]), 0.0)
+    features = np.concatenate((*rows, remaining[None] / TIME_SCALE))[1:]
+    return np.concatenate((x, u, np.clip(features, -OBSERVATION_LIMIT, OBSERVATION_LIMIT)))
 
 
-class FeatureBounds(NamedTuple):
-    """What references show at most, in absolute values."""
-
-    start: np.ndarray  # (6,) states at the start
-    features: np.ndarray  # (8 len(PREVIEW) + 1,)
-
-
-def feature_bounds(features: np.ndarray) -> FeatureBounds:
-    """What a reference with these features (8 len(PREVIEW) + 1, K + 1) shows."""
-    features = np.abs(features)
-    return FeatureBounds(features[:6, 0], features.max(axis=1))
-
-
-def sampler_bounds(duration: float, voltage_limits: tuple[float, float], pitch_limit: float) -> FeatureBounds:
-    """What references of at most this duration in s show that obey (3) from a start within `FARTHEST_DRAWN`."""
-    start = np.array(FARTHEST_DRAWN)
-    u_max = np.abs(voltage_limits).max()
-    state = reachable_bound(start, greatest_acceleration(HelicopterParameters(), u_max), duration)
-    state[4] = pitch_limit
-    return FeatureBounds(start, np.array([*state, u_max, u_max] * len(PREVIEW) + [duration]))
-
-
-def greatest_acceleration(p: HelicopterParameters, u_max: float) -> np.ndarray:
-    """The accelerations (3,) in rad/s² that (3) cannot exceed with voltages up to u_max in V.
-
-    Parameters may be ranges: each term grows with the magnitude of every parameter in it, and so is greatest in a
-    corner.
-    """
-    k_plus, k_minus, a1, a2, a3, b1, b2, b3, *_ = map(magnitude, p)  # friction only slows down
-    v_max = 2.0 * max(k_plus, k_minus) * u_max**2
-    return np.array([b1 * v_max, a1 + a2 + b2 * v_max, a3 + b3 * v_max])
-
-
-def greatest_disturbance(disturbances: Sequence[Disturbance]) -> np.ndarray:
-    """The accelerations (3,) in rad/s² that disturbances cannot exceed, all at once: see GUST_DEVIATIONS for gusts."""
-    acceleration = dict.fromkeys(AXES, 0.0)
-    for value in disturbances:
-        match value:
-            case Push(axis, amount):
-                acceleration[axis] += magnitude(amount)
-            case Gust(axis, strength):
-                acceleration[axis] += GUST_DEVIATIONS * magnitude(strength)
-            case MovingMass(a2_change):
-                acceleration["elevation"] += magnitude(a2_change)
-    return np.array(list(acceleration.values()))
-
-
-def reachable_bound(start: np.ndarray, acceleration: np.ndarray, duration: float) -> np.ndarray:
-    """States (6,) that cannot be exceeded in a duration in s, from a start (6,) at accelerations (3,)."""
-    rate = start[1::2] + acceleration * duration
-    angle = start[0::2] + (start[1::2] + 0.5 * acceleration * duration) * duration
-    return np.stack((angle, rate), axis=1).ravel()
-
-
-def observation_bound(
-    feature_bound: FeatureBounds,
-    plant: Plant,
-    voltage_limits: tuple[float, float],
-    pitch_limit: float,
-    control_period: float,
-) -> np.ndarray:
-    """Bounds (8 + features,) on the absolute value of the observation that no flight of the plant can exceed.
-
-    Rates grow by the greatest acceleration that (3) and the amplifier allow, for the whole duration; pitch ends the
-    flight at its limit, one control period late at most. Whatever a plant adds to (3) is allowed as much again, and
-    its disturbances on top of that, all of them all the time. Gusts are normally distributed and have no bound: they
-    are allowed GUST_DEVIATIONS standard deviations, for the whole duration too, which no flight comes near.
-    """
-    u_max = np.abs(voltage_limits).max()
-    accelerations = [
-        greatest_acceleration(q.parameters, u_max) * (1.0 if q.is_plain else 2.0) + greatest_disturbance(q.disturbances)
-        for q in plant.alternatives
-    ]
-    acceleration = np.max(accelerations, axis=0)
-    duration = control_period * (control_steps(feature_bound.features[-1], control_period) + 1)
-    state = reachable_bound(feature_bound.start + FARTHEST_START, acceleration, duration)
-    state[4] = pitch_limit + state[5] * control_period
-    return np.concatenate(
-        (state + feature_bound.features[:6], np.maximum(u_max, feature_bound.features[6:8]), feature_bound.features)
-    )
+def observation_bounds() -> tuple[np.ndarray, np.ndarray]:
+    """Lowest and highest observation, (OBSERVED,) each."""
+    high = np.full(OBSERVED, OBSERVATION_LIMIT)
+    return np.append(-high[:-1], 0.0), high

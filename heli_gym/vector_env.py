@@ -7,7 +7,6 @@ from typing import Any
 import gymnasium as gym
 import numpy as np
 from gymnasium.envs.registration import EnvSpec
-from gymnasium.spaces import Box
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 from numpy.typing import ArrayLike
@@ -17,6 +16,7 @@ from heli_gym.env import (
     Heli3DOFEnv,
     SeedError,
     checked_options,
+    design_parameters,
     find_reference,
     real_array,
     render_state,
@@ -84,7 +84,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         plants = broadcast_to_envs("plant", plant, num_envs, find_plant)
         references = broadcast_to_envs("reference", reference, num_envs, find_reference)
 
-        # One environment for each combination checks the arguments and knows the bounds.
+        # One environment for each combination checks the arguments.
         combinations = {(id(p), id(r)): (p, r) for p, r in zip(plants, references)}
         singles = [
             Heli3DOFEnv(*combination, control_period, pitch_limit, voltage_limits, start_spread_deg, random_start)
@@ -95,13 +95,14 @@ class Heli3DOFVectorEnv(VectorEnv):
         self.voltage_limits = single.voltage_limits
         self.start_spread_deg, self.random_start = single.start_spread_deg, single.random_start
         self.metadata = {**single.metadata, **self.metadata, "autoreset_mode": self.autoreset_mode}
-        bound = np.max([env.bound for env in singles], axis=0)
-        self.single_observation_space = Box(-bound, bound, dtype=np.float32)
+        self.single_observation_space = single.observation_space
         self.single_action_space = single.action_space
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
 
         self.plants, self.references = plants, references
+        hovers = [task.hover_voltage(design_parameters(one), self.voltage_limits) for one in plants]
+        self.hover_voltage = np.array(hovers).T  # (2, N), in V
         self.own_simulation = self.simulation = self._simulation(plants)
         self.has_begun = False
         self.everyone = np.arange(num_envs)
@@ -239,6 +240,14 @@ class Heli3DOFVectorEnv(VectorEnv):
             self._end(info, observation, outputs)
         return observation, rewards, terminated, truncated, info
 
+    def to_voltage(self, actions: ArrayLike) -> np.ndarray:
+        """Voltages (N, 2) in V of actions (N, 2)."""
+        return task.to_voltage(np.asarray(actions, float), self.voltage_limits, self.hover_voltage.T)
+
+    def to_action(self, u: ArrayLike) -> np.ndarray:
+        """Actions (N, 2) of voltages (N, 2) in V, the inverse of `to_voltage`."""
+        return task.to_action(np.asarray(u, float), self.voltage_limits, self.hover_voltage.T)
+
     def reference_of(self, i: int) -> Trajectory:
         """Trajectory that the helicopter i tracks in its episode."""
         return self.simulation.reference_of(i)
@@ -306,6 +315,7 @@ class Heli3DOFVectorEnv(VectorEnv):
             math.radians(self.start_spread_deg),
             self.random_start,
             self.dtype,
+            self.hover_voltage,
         )
 
     @staticmethod

@@ -19,7 +19,7 @@ from heli_gym.simulation.layout import Settings, shared
 from heli_gym.simulation.motion import Body
 from heli_gym.simulation.reward import LimitArrays
 from heli_gym.simulation.simulation import Simulation
-from heli_gym.task import cost, crashed, reward, to_voltage
+from heli_gym.task import OBSERVATION_LIMIT, cost, crashed, observed_error, observed_voltage, reward, to_voltage
 
 
 class Fleet(NamedTuple):
@@ -35,8 +35,9 @@ class Fleet(NamedTuple):
     rate_decay: torch.Tensor
     limits: LimitArrays
     last: torch.Tensor  # steps
-    table: torch.Tensor  # (K, FEATURES), the references
+    table: torch.Tensor  # (K, TABLE_WIDTH), the references
     first: torch.Tensor  # row of the table
+    hover: torch.Tensor  # (2, N), V, of the action zero
     settings: Settings
     derivative: Any
 
@@ -56,7 +57,7 @@ class State(NamedTuple):
 class Outcome(NamedTuple):
     """Outputs of a control step. Tensors (N, ...)."""
 
-    observation: torch.Tensor  # (N, 49)
+    observation: torch.Tensor  # (N, OBSERVED)
     reward: torch.Tensor
     cost: torch.Tensor
     terminated: torch.Tensor
@@ -119,6 +120,7 @@ def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Fleet, State]
         last=r.last.long(),
         table=torch.tensor(simulation.table, device=device),
         first=r.reference_row.long(),
+        hover=r.hover,
         settings=settings,
         derivative=DERIVATIVES[simulation.rhs],
     )
@@ -137,7 +139,7 @@ def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Fleet, State]
 def step(fleet: Fleet, state: State, actions: torch.Tensor) -> tuple[State, Outcome]:
     """Fly a control step of all helicopters under actions (N, 2): `kernels.control_step` without its loops."""
     s = fleet.settings
-    command = to_voltage(actions.T, (s.u_low, s.u_high)).clamp(s.u_low, s.u_high)
+    command = to_voltage(actions.T.clamp(-1.0, 1.0), (s.u_low, s.u_high), fleet.hover).clamp(s.u_low, s.u_high)
     motor, pending = apply_amplifier(fleet, state, command)
     rotor = torch.where(fleet.has_lag, state.rotor, motor)
     x, h = tuple(state.x), s.period / s.substeps
@@ -195,6 +197,8 @@ def reference_row(fleet: Fleet, state: State) -> torch.Tensor:
 
 
 def observe(fleet: Fleet, state: State) -> torch.Tensor:
-    """Observations (N, 49), float32."""
-    features = fleet.table[reference_row(fleet, state)]
-    return torch.cat((state.measured.T - features[:, :6], state.command.T, features), dim=1).float()
+    """Observations (N, OBSERVED), float32."""
+    row = fleet.table[reference_row(fleet, state)]
+    error = torch.stack(observed_error(state.measured - row[:, :6].T), dim=1)
+    shown = torch.cat((error, observed_voltage(state.command.T), row[:, 8:]), dim=1)
+    return shown.clamp(-OBSERVATION_LIMIT, OBSERVATION_LIMIT).float()

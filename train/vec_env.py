@@ -182,7 +182,7 @@ class ResidualVecEnv(HeliVecEnv):
 
     def to_env_action(self, actions: np.ndarray) -> np.ndarray:
         u = self.policy.correct(self.t, self.measurement, self.u_base, np.clip(actions.T, -1.0, 1.0).astype(float))
-        return to_action(u, self.envs.voltage_limits).T
+        return to_action(u, self.envs.voltage_limits, self.envs.hover_voltage).T
 
     def observed(self, observation: np.ndarray, done: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         self.t, self.measurement, state = self.info["time"], self.info["measurement"].T, self.info["state"].T

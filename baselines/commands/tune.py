@@ -90,7 +90,7 @@ def returns(envs: Heli3DOFVectorEnv, policy: Policy, seed: int, objective: str =
     steps = control_steps(reference.duration, period)
     for k in range(steps):
         u = policy(k * period, info["measurement"].T)
-        _, rewards, terminated, truncated, info = envs.step(to_action(u, envs.voltage_limits).T)
+        _, rewards, terminated, truncated, info = envs.step(to_action(u, envs.voltage_limits, envs.hover_voltage).T)
         if objective == "tracking":
             error = info["state"].T - x_ref[:, [k + 1]]
             rewards = period * tracking_reward(error[0:3:2], info["cost"] / period, rewards / period)

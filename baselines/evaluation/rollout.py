@@ -41,7 +41,7 @@ def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str
     states, voltages = [info["state"]], []
     over = False
     while not over:
-        action = to_action(policy(info["time"], info["measurement"]), core.voltage_limits)
+        action = to_action(policy(info["time"], info["measurement"]), core.voltage_limits, core.hover_voltage)
         _, _, terminated, truncated, info = env.step(action)
         states.append(info["state"])
         voltages.append(info["voltage"])
@@ -75,7 +75,8 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
     states[0] = info["state"].T
     flown = np.full(envs.num_envs, steps)  # control periods until the end of each flight; what follows is another one
     for k in range(steps):
-        action = to_action(policy(k * envs.control_period, info["measurement"].T), envs.voltage_limits)
+        u = policy(k * envs.control_period, info["measurement"].T)
+        action = to_action(u, envs.voltage_limits, envs.hover_voltage)
         _, _, terminated, _, info = envs.step(action.T)
         states[k + 1], voltages[k] = info["state"].T, info["voltage"].T
         flown[terminated] = np.minimum(flown[terminated], k + 1)

@@ -15,6 +15,7 @@ from numba import types
 from numpy import float64
 
 from heli_gym.compilation import Compiler
+from heli_gym.model import axpy
 from heli_gym.simulation import fast_math
 from heli_gym.simulation.disturbances import step_gusts, sum_disturbances
 from heli_gym.simulation.layout import (
@@ -22,6 +23,7 @@ from heli_gym.simulation.layout import (
     COST,
     DISTURBANCE,
     DISTURBANCES,
+    HOVER,
     LANES,
     MEASURED,
     NOT_NEGATIVE,
@@ -44,9 +46,8 @@ from heli_gym.simulation.reward import compute_reward, look_up_reference, refere
 from heli_gym.simulation.rotors import apply_amplifier
 from heli_gym.simulation.sensors import make_noise, measure
 from heli_gym.simulation.start import Ranges, init_derived, init_state, sample_parameters
-from heli_gym.task import FEATURES, to_voltage
+from heli_gym.task import OBSERVATION_LIMIT, OBSERVED, observed_error, observed_voltage, to_voltage
 
-OBSERVED = 8 + FEATURES  # numbers of an observation
 NOT_FINITE, FLYING, CRASHED, ENDED_OFF_GOAL, ARRIVED = -1, 0, 1, 2, 3  # how a step of one helicopter ends
 
 fly = step_plant  # a name that `kernels` binds to one way to fly a control period
@@ -56,12 +57,14 @@ def command(block: Any, n: int, s: Settings, actions: Any, first: int) -> None:
     """Convert actions, two for each helicopter, to voltages within the limits of the amplifier."""
     for i in range(n):
         front, back = actions[2 * (first + i)], actions[2 * (first + i) + 1]
-        put_two(block, COMMAND, i, (saturated(front, s), saturated(back, s)))
+        hover_f, hover_b = two(block, HOVER, i)
+        put_two(block, COMMAND, i, (saturated(front, hover_f, s), saturated(back, hover_b, s)))
 
 
-def saturated(action: Any, s: Settings) -> Any:
+def saturated(action: Any, hover: Any, s: Settings) -> Any:
     """Voltage of an action, within the limits of the amplifier."""
-    return min(max(to_voltage(action, (s.u_low, s.u_high)), s.u_low), s.u_high)
+    u = to_voltage(min(max(action, -1.0), 1.0), (s.u_low, s.u_high), hover)
+    return min(max(u, s.u_low), s.u_high)  # to rounding, it is already
 
 
 def control_step(block: Any, n: int, s: Settings, table: Any) -> None:
@@ -93,13 +96,20 @@ def observe(block: Any, i: int, s: Settings, table: Any, features: int, observat
     """
     at, to = reference_row(block, i), to & NOT_NEGATIVE
     for k in range(features):
-        observation[to + 8 + k] = table[at + k]
+        observation[to + 8 + k] = table[at + 8 + k]
     measured = six(block, MEASURED, i) if s.is_sensed > 0.0 else six(block, X, i)
-    q1, dq1, q2, dq2, q3, dq3 = measured
-    observation[to], observation[to + 1] = q1 - table[at], dq1 - table[at + 1]
-    observation[to + 2], observation[to + 3] = q2 - table[at + 2], dq2 - table[at + 3]
-    observation[to + 4], observation[to + 5] = q3 - table[at + 4], dq3 - table[at + 5]
-    observation[to + 6], observation[to + 7] = two(block, COMMAND, i)
+    x_ref = (table[at], table[at + 1], table[at + 2], table[at + 3], table[at + 4], table[at + 5])
+    e1, e2, e3, e4, e5, e6 = observed_error(axpy(measured, -1.0, x_ref))
+    observation[to], observation[to + 1] = bounded(e1), bounded(e2)
+    observation[to + 2], observation[to + 3] = bounded(e3), bounded(e4)
+    observation[to + 4], observation[to + 5] = bounded(e5), bounded(e6)
+    u_f, u_b = two(block, COMMAND, i)
+    observation[to + 6], observation[to + 7] = bounded(observed_voltage(u_f)), bounded(observed_voltage(u_b))
+
+
+def bounded(value: Any) -> Any:
+    """Entry of an observation, saturated."""
+    return min(max(value, -OBSERVATION_LIMIT), OBSERVATION_LIMIT)
 
 
 # The compiled entry points. Arrays are flat unless a shape is given.
@@ -187,7 +197,8 @@ def step_one(memory: Any, front: Any, back: Any, observation: Any, outputs: Any)
     s = shared(memory)
     size = ROW * (DISTURBANCES + DISTURBANCE * int(s.disturbances) + 2 * int(s.delay))
     block, table = memory[SETTINGS : SETTINGS + size], memory[SETTINGS + size :]
-    put_two(block, COMMAND, 0, (saturated(front, s), saturated(back, s)))
+    hover_f, hover_b = two(block, HOVER, 0)
+    put_two(block, COMMAND, 0, (saturated(front, hover_f, s), saturated(back, hover_b, s)))
     control_step(block, 1, s, table)
     report(block, 1, s, table, 0, 1, observation, outputs)
     if s.is_sensed == 0.0:

@@ -65,6 +65,8 @@ REFERENCE_ROW = quantity("reference_row")  # its first row in the table of refer
 LIMITS = quantity("limits", 2)  # u_min and u_max, V
 PITCH_LIMITS = quantity("pitch_limits", 2)  # pitch_min and pitch_max, rad
 
+HOVER = quantity("hover", 2)  # V, of the action zero
+
 # The plant that is flown.
 NO_RIGID_BODY = (0.0,) * len(RigidBodyParameters._fields)
 PARAMETERS = quantity("parameters", len(HelicopterParameters._fields), lambda p: p.parameters)

@@ -25,7 +25,7 @@ from heli_gym.simulation.layout import (
     six,
     two,
 )
-from heli_gym.task import FEATURES, cost, crashed, reward, succeeded
+from heli_gym.task import TABLE_WIDTH, cost, crashed, reward, succeeded
 
 
 class LimitArrays(NamedTuple):
@@ -42,7 +42,7 @@ def look_up_reference(block: Any, n: int, s: Settings, table: Any) -> None:
     for i in range(n):
         at = reference_row(block, i)
         put_two(block, NOMINAL, i, (table[at + 6], table[at + 7]))
-        at += FEATURES
+        at += TABLE_WIDTH
         x_ref = (table[at], table[at + 1], table[at + 2], table[at + 3], table[at + 4], table[at + 5])
         put_six(block, REFERENCE, i, x_ref)
         step = block[STEP * ROW + i] + 1.0
@@ -69,4 +69,4 @@ def compute_reward(block: Any, n: int, s: Settings) -> None:
 def reference_row(block: Any, i: int) -> int:
     """Where the present row of the reference of the helicopter i, its last one at most, is in the flat table."""
     step = min(block[STEP * ROW + i], block[LAST * ROW + i])
-    return FEATURES * ((int(block[REFERENCE_ROW * ROW + i]) + int(step)) & NOT_NEGATIVE)
+    return TABLE_WIDTH * ((int(block[REFERENCE_ROW * ROW + i]) + int(step)) & NOT_NEGATIVE)

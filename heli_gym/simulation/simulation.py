@@ -9,13 +9,14 @@ import numpy as np
 from gymnasium.error import ResetNeeded
 
 from heli_gym import plant
+from heli_gym.parameters import HelicopterParameters
 from heli_gym.plant import AXES, ROTORS, Gust, MovingMass, Plant, Push, RotorFault, Rotors
 from heli_gym.simulation import kernels, motion
-from heli_gym.simulation.kernels import OBSERVED
 from heli_gym.simulation.layout import (
     COMMAND,
     DISTURBANCE,
     DISTURBANCES,
+    HOVER,
     LANES,
     LAST,
     LIMITS,
@@ -32,7 +33,7 @@ from heli_gym.simulation.layout import (
     Settings,
 )
 from heli_gym.simulation.start import Ranges
-from heli_gym.task import FEATURES, FeatureBounds, control_steps, feature_bounds, reference_features, sampler_bounds
+from heli_gym.task import OBSERVED, TABLE_WIDTH, control_steps, hover_voltage, reference_table
 from heli_gym.trajectory import Sampler, Trajectory
 
 SUBSTEP = 10e-3  # s, at most, of the integration where there is more than (3)
@@ -112,6 +113,7 @@ class Simulation:
         start_spread: rad, largest distance of each starting angle from the reference's.
         random_start: whether flights start at a random time of their reference, rather than at its start.
         dtype: of the numbers, np.float64 or np.float32.
+        hover: V (2,) or (2, N), of the action zero; by default of Table I.
 
     Raises:
         ValueError: if only some of the plants are rigid bodies.
@@ -127,6 +129,7 @@ class Simulation:
         start_spread: float = 0.0,
         random_start: bool = False,
         dtype: type = np.float64,
+        hover: np.ndarray | None = None,
     ) -> None:
         self.plants, self.sources, self.dtype = list(plants), list(references), dtype
         self.control_period, self.voltage_limits, self.pitch_limit = control_period, voltage_limits, pitch_limit
@@ -162,7 +165,7 @@ class Simulation:
         self.no_states, self.no_steps = np.empty((len(plants), 0)), np.full(len(plants), -1.0)
         self.references: list[Trajectory | None] = [None] * len(plants)  # of the present flights
         self.drawn: dict[int, Trajectory] = {}  # those of the next flights, where they are not always the same
-        self.feature_bound: list[tuple[Any, FeatureBounds]] = []  # by each source
+        self.initial[HOVER : HOVER + 2] = self._hover(hover)
         # one array, for Python takes time to hand over each
         parts = np.array(settings), np.zeros(-(-len(plants) // LANES) * self.size), self._table().reshape(-1)
         pad = np.zeros(SETTINGS - len(settings))
@@ -170,29 +173,30 @@ class Simulation:
         self._bind()
 
     def _table(self) -> np.ndarray:
-        """Stack the references on the control grid, (K, FEATURES), and note where each helicopter's starts.
+        """Stack the references on the control grid, (K, TABLE_WIDTH), and note where each helicopter's starts.
 
         A reference that many share is there once; one that is drawn has rows of its own, as many as it can take.
         """
         parts, first = [], 0
         for source, followers in group_by_identity(self.sources):
             if isinstance(source, Trajectory):
-                features = reference_features(source, self.control_period).T
-                self.feature_bound.append((source, feature_bounds(features.T)))
-                parts.append(features)
+                parts.append(reference_table(source, self.control_period).T)
                 for j in followers:
                     self._follow(j, source)
                 self.initial[REFERENCE_ROW, followers] = first
             else:
-                self.feature_bound.append(
-                    (source, sampler_bounds(source.duration, self.voltage_limits, self.pitch_limit))
-                )
                 count = control_steps(source.duration, self.control_period) + 1
                 self.initial[REFERENCE_ROW, followers] = first + count * np.arange(len(followers))
-                parts.append(np.zeros((count * len(followers), FEATURES)))
+                parts.append(np.zeros((count * len(followers), TABLE_WIDTH)))
             first += len(parts[-1])
         # a helicopter that waits for its next start is stepped once more, and reads one row beyond the end
         return np.concatenate((*parts, parts[-1][-1:]))
+
+    def _hover(self, hover: np.ndarray | None) -> np.ndarray:
+        """Voltages (2, 1) or (2, N) in V of the action zero."""
+        if hover is None:
+            hover = hover_voltage(HelicopterParameters(), self.voltage_limits)
+        return np.reshape(hover, (2, -1))
 
     def _follow(self, j: int, reference: Trajectory) -> None:
         """Set the start and the end of the next flights of the helicopter j to those of this reference."""
@@ -207,7 +211,7 @@ class Simulation:
         self.kernels = kernels.kernels(self.dtype, self.rhs, self.fly)
         end = SETTINGS + -(-len(self.plants) // LANES) * self.size
         self.settings, self.blocks, self.flat_table = np.split(self.memory, (SETTINGS, end))
-        self.table = self.flat_table.reshape(-1, FEATURES)
+        self.table = self.flat_table.reshape(-1, TABLE_WIDTH)
 
     def __getstate__(self) -> dict[str, Any]:
         bound = ("kernels", "settings", "blocks", "flat_table", "table")
@@ -232,7 +236,7 @@ class Simulation:
         return reference
 
     def _checked(self, source: Sampler, reference: Any) -> Trajectory:
-        """Return what a sampler has drawn if the table has room for it and the observation's bounds hold."""
+        """Return what a sampler has drawn if the table has room for it and its pitch is within the limit."""
         if not isinstance(reference, Trajectory):
             raise ValueError(f"reference: {source!r} drew {reference!r}; must be a Trajectory")
         if reference.duration > source.duration:
@@ -240,17 +244,11 @@ class Simulation:
                 f"reference: {source!r} drew one of {reference.duration:g} s, "
                 f"and its `duration` is {source.duration:g} s"
             )
-        feature_bound = next(feature_bound for other, feature_bound in self.feature_bound if other is source)
-        start, x_max, u_max = np.abs(reference.x[:, 0]), np.abs(reference.x).max(axis=1), np.abs(reference.u).max()
-        if (
-            (start > feature_bound.start).any()
-            or (x_max > feature_bound.features[:6]).any()
-            or u_max > feature_bound.features[6]
-        ):
+        steepest = float(np.abs(reference.x[4]).max())
+        if steepest > self.pitch_limit:
             raise ValueError(
-                f"reference: {source!r} drew one that starts at {start} and reaches {x_max} rad and rad/s and "
-                f"{u_max:g} V; at most {feature_bound.start}, {feature_bound.features[:6]} and "
-                f"{feature_bound.features[6]:g} V can be"
+                f"reference: {source!r} drew one with a pitch of {steepest:g} rad; "
+                f"must be at most {self.pitch_limit:g} rad"
             )
         return reference
 
@@ -275,8 +273,8 @@ class Simulation:
             if j in self.drawn:
                 reference, first = self.drawn.pop(j), int(self.initial[REFERENCE_ROW, j])
                 self._follow(j, reference)
-                features = reference_features(reference, self.control_period).T
-                self.table[first : first + len(features)] = features
+                rows = reference_table(reference, self.control_period).T
+                self.table[first : first + len(rows)] = rows
         steps = self.no_steps
         if times is not None:
             steps = np.clip(np.round(times / self.control_period), 0.0, self.initial[LAST] - 1.0)
@@ -293,7 +291,7 @@ class Simulation:
         )
 
     def arrays(self) -> tuple[np.ndarray, np.ndarray]:
-        """New arrays for observations (N, 49) and outputs, the first rows (self.outputs, N)."""
+        """New arrays for observations (N, OBSERVED) and outputs, the first rows (self.outputs, N)."""
         n = len(self.plants)
         return np.empty((n, OBSERVED), np.float32), np.empty((self.outputs, n), self.dtype)
 

@@ -41,7 +41,7 @@ from heli_gym.simulation.layout import (
     six,
     two,
 )
-from heli_gym.task import FEATURES
+from heli_gym.task import TABLE_WIDTH
 
 
 class Ranges(NamedTuple):
@@ -83,7 +83,7 @@ def init_state(block: Any, i: int, s: Settings, table: Any, initial: Any, u: Any
     elif s.random_start > 0.0:
         block[STEP * ROW + i] = floor(u[START_TIME] * initial[LAST])
     block[TIME * ROW + i] = s.period * block[STEP * ROW + i]
-    at = FEATURES * (int(initial[REFERENCE_ROW]) + int(block[STEP * ROW + i]))
+    at = TABLE_WIDTH * (int(initial[REFERENCE_ROW]) + int(block[STEP * ROW + i]))
     for k in range(6):
         block[(X + k) * ROW + i] = state[k] if len(state) > 0 else table[at + k]
     if len(state) == 0:
@@ -92,7 +92,7 @@ def init_state(block: Any, i: int, s: Settings, table: Any, initial: Any, u: Any
         block[(X + 4) * ROW + i] = min(max(block[(X + 4) * ROW + i], -s.pitch_limit), s.pitch_limit)
     for motor in range(2):
         if block[STEP * ROW + i] > 0.0:
-            block[(COMMAND + motor) * ROW + i] = table[at - FEATURES + 6 + motor]
+            block[(COMMAND + motor) * ROW + i] = table[at - TABLE_WIDTH + 6 + motor]
         block[(MOTOR + motor) * ROW + i] = block[(COMMAND + motor) * ROW + i]
         block[(ROTOR + motor) * ROW + i] = block[(COMMAND + motor) * ROW + i]
     block[KEY * ROW + i] = u[START_KEY]

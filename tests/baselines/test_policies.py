@@ -171,7 +171,7 @@ def test_a_flight_that_begins_in_the_middle_settles_as_one_from_the_start_does(t
         policy, squares = make_policy(name, REFERENCE), []
         for _ in range(200):
             u = policy(info["time"], info["measurement"].T)
-            *_, info = envs.step(to_action(u, (0.0, 12.0)).T)
+            *_, info = envs.step(to_action(u, (0.0, 12.0), envs.hover_voltage).T)
             squares.append((info["state"].T - REFERENCE(info["time"])[0])[0:3:2] ** 2)
         rms[name] = np.sqrt(np.mean(squares, axis=(0, 2)))
     assert (rms["kalman-lqr"] < 1.5 * rms["feedforward+tvlqr"]).all()

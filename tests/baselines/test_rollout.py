@@ -54,7 +54,7 @@ def test_a_flight_is_the_reset_state_and_one_state_and_voltage_per_step(wobble):
     assert_array_equal(flight.x[:, 0], env.reset(seed=3)[1]["state"])
     assert_allclose(flight.u[:, :-1], wobble[:, :n], atol=1e-12)
     for k in range(n):
-        *_, info = env.step((wobble[:, k] - 6.0) / 6.0)
+        *_, info = env.step(env.unwrapped.to_action(wobble[:, k]))
         assert_allclose(info["state"], flight.x[:, k + 1], atol=1e-9)
 
 

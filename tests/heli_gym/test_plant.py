@@ -31,7 +31,7 @@ from heli_gym.plant import (
 from heli_gym.rigid_body import rigid_dynamics, solve_rigid_body
 from heli_gym.simulation.layout import DISTURBANCES, GUST, MEASURED, MOTOR, ROTOR, ROW, X
 from heli_gym.simulation.simulation import Simulation
-from heli_gym.task import to_action
+from heli_gym.task import hover_voltage, to_action
 
 P = HelicopterParameters()
 HOVER = (float(voltage(0.5 * hover_input(0.0, P)[0], P)),) * 2
@@ -45,7 +45,9 @@ def simulate(plant, voltages=HOVER, x=LEVEL, duration=2.0, dt=0.02, seed=0):
     simulation.draw(0, np.random.default_rng(seed))
     simulation.reset(np.zeros(1, int), np.array([x], float))
     flown = [simulation.blocks.reshape(-1, ROW)[:, 0].copy()]
-    for action in to_action(np.broadcast_to(voltages, (steps, 2)), AMPLIFIER_LIMITS):
+    for action in to_action(
+        np.broadcast_to(voltages, (steps, 2)), AMPLIFIER_LIMITS, hover_voltage(P, AMPLIFIER_LIMITS)
+    ):
         simulation.step(action[None])
         flown.append(simulation.blocks.reshape(-1, ROW)[:, 0].copy())
     rows = np.array(flown).T

@@ -14,7 +14,7 @@ from heli_gym import HelicopterParameters, dynamics
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.model import fan_thrusts, linearise, thrust, virtual_input
 from heli_gym.play import FARTHEST, LIFT, ROLL, Assist, fly, hold_gain, main, mapping, set_point
-from heli_gym.task import to_voltage
+from heli_gym.task import hover_voltage, to_voltage
 
 pygame = pytest.importorskip("pygame")
 TABLE_I = HelicopterParameters()
@@ -30,7 +30,7 @@ def voltages(*names):
     actions, rest = mapping(Heli3DOFEnv())
     chosen = {tuple(sorted(keys)): action for keys, action in actions.items()}
     action = chosen[tuple(sorted(KEYS[name] for name in names))] if names else rest
-    return to_voltage(action.astype(float), (0.0, 12.0))
+    return to_voltage(action.astype(float), (0.0, 12.0), hover_voltage(TABLE_I, (0.0, 12.0)))
 
 
 def accelerations(*names):

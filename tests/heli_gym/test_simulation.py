@@ -16,7 +16,7 @@ from heli_gym.simulation import kernels, motion
 from heli_gym.simulation.fast_math import cosine, sine, standard_normal
 from heli_gym.simulation.layout import COMMAND, LANES, REWARD, TIME, TRUNCATED, X
 from heli_gym.simulation.simulation import Simulation
-from heli_gym.task import reward, to_voltage
+from heli_gym.task import hover_voltage, reward, to_voltage
 
 REFERENCE = find_reference("travel-360")
 GUSTY = Plant(
@@ -39,8 +39,8 @@ def simulation(plants, references=None, period=0.02, dtype=np.float64, seed=0, *
 def actions(steps, n, seed=1):
     """Actions (steps, N, 2) about hover, with some beyond the amplifier's limits."""
     rng = np.random.default_rng(seed)
-    values = rng.normal(0.31, 0.05, (steps, n, 2))
-    values[rng.random((steps, n)) < 0.02] *= 5.0
+    values = rng.normal(0.0, 0.07, (steps, n, 2))
+    values[rng.random((steps, n)) < 0.02] *= 25.0
     return values
 
 
@@ -73,7 +73,9 @@ def test_a_batch_in_numpy_of_the_same_equations_is_the_compiled_flight():
     x = flights.rows(X, 6).copy()
     for k, action in enumerate(actions(50, 70)):
         _, _, outputs = flights.step(action)
-        u = np.clip(to_voltage(action.T, AMPLIFIER_LIMITS), *AMPLIFIER_LIMITS)
+        u = np.clip(
+            to_voltage(action.T, AMPLIFIER_LIMITS, hover_voltage(p, AMPLIFIER_LIMITS)[:, None]), *AMPLIFIER_LIMITS
+        )
         v = virtual_input(thrust(u, p))
         x = np.array(rk4_step(motion.equation_3, x, (v, v, v), 0.02, motion.Body(p, None, None, None, None)))
         earned = 0.02 * reward(x - REFERENCE(0.02 * (k + 1))[0][:, None], u - REFERENCE(0.02 * (k + 0.5))[1][:, None])

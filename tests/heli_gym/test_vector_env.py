@@ -54,7 +54,7 @@ def test_each_helicopter_flies_what_a_single_environment_with_its_seed_flies(mod
     assert_same(info, expected_info, "reset")
     ends = 0
     for k in range(700):
-        actions = rng.uniform(0.1, 0.55, (n, 2))
+        actions = rng.uniform(-0.2, 0.2, (n, 2))
         actual, expected = together.step(actions), apart.step(actions)
         assert_allclose(actual[0], expected[0], rtol=0, atol=1e-6)
         for a, b in zip(actual[1:4], expected[1:4]):
@@ -186,7 +186,7 @@ def test_helicopters_with_the_same_sampler_fly_references_of_their_own_which_end
     ends = np.zeros(8)
     for k in range(1, 351):
         u = np.array([envs.reference_of(i)(0.02 * k - 0.01)[1] for i in range(8)])
-        *_, truncated, _ = envs.step(u / 6.0 - 1.0)
+        *_, truncated, _ = envs.step(envs.to_action(u))
         ends[truncated & (ends == 0.0)] = 0.02 * k
     assert_allclose(ends, expected)
 
@@ -200,7 +200,7 @@ def test_a_reset_of_some_renews_their_references_only():
         observation, _ = envs.reset(seed=seed, options={"reset_mask": mask})
         expected = EitherReference()(np.random.default_rng(seed + 2))
         assert_array_equal(envs.reference_of(2).x, expected.x)
-        assert_allclose(observation[2, 48], expected.duration)
+        assert_allclose(observation[2, 47], expected.duration / 10.0, rtol=1e-6)
         assert all(envs.reference_of(i) is before[i] for i in range(6) if i != 2)
 
 
@@ -221,7 +221,7 @@ def test_changing_any_array_that_was_handed_out_changes_no_flight(mode):
                 mask[:] = False
             if mode == "Disabled" and envs.is_waiting:
                 envs.reset(seed=1, options={"reset_mask": envs.over.copy()})
-            outputs = envs.step(rng.uniform(0.0, 0.6, (4, 2)))
+            outputs = envs.step(rng.uniform(-0.25, 0.25, (4, 2)))
             seen.append((outputs[0].copy(), outputs[2].copy()))
         flights.append(seen)
     for (a, over), (b, other) in zip(*flights):
@@ -283,7 +283,7 @@ def test_a_refused_reset_changes_nothing(arguments):
         envs.reset(**arguments)
     assert [envs.plant_of(i) for i in range(2)] == [untouched.plant_of(i) for i in range(2)]
     assert envs.np_random_seed == untouched.np_random_seed == (1, 2)
-    actions = np.full((2, 2), 0.3)
+    actions = np.full((2, 2), 0.01)
     assert_array_equal(envs.step(actions)[0], untouched.step(actions)[0])
     assert_array_equal(envs.reset()[0], untouched.reset()[0])
 
@@ -332,7 +332,7 @@ def test_flights_end_at_the_most_steps_of_an_episode_as_with_gymnasiums_time_lim
     together.reset(seed=5), apart.reset(seed=5)
     cut = 0
     for _ in range(300):
-        actions = rng.uniform(0.25, 0.4, (n, 2))
+        actions = rng.uniform(-0.1, 0.1, (n, 2))
         actual, expected = together.step(actions), apart.step(actions)
         for a, b in zip(actual[:4], expected[:4]):
             assert_allclose(a, b, rtol=0, atol=1e-6)
