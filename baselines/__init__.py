@@ -2,6 +2,7 @@
 
 from heli_gym.baselines.control.policies import POLICIES, make_policy
 from heli_gym.baselines.control.protocol import Policy
+from heli_gym.baselines.control.residual_action import ResidualAction, VectorResidualAction
 from heli_gym.baselines.evaluation.rollout import fly
 from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.baselines.planning.feasibility import InfeasibleManeuver
@@ -13,6 +14,8 @@ __all__ = [
     "InfeasibleManeuver",
     "ManeuverSampler",
     "Policy",
+    "ResidualAction",
+    "VectorResidualAction",
     "fly",
     "make_policy",
     "plan",

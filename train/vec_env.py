@@ -1,19 +1,24 @@
 """Helicopters for Stable-Baselines3: as they are, and with an agent that corrects a controller."""
 
+import math
+import time
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from gymnasium.spaces import Box
-from gymnasium.vector import AutoresetMode
+from gymnasium.vector import AutoresetMode, VectorEnv
+from stable_baselines3.common.monitor import Monitor
 from stable_baselines3.common.vec_env.base_vec_env import VecEnv
 
-from heli_gym.baselines.control.protocol import step_index
+from heli_gym.baselines.control.protocol import assign_columns, step_index
 from heli_gym.baselines.control.residual import FEATURE_CLIP, ResidualPolicy
 from heli_gym.baselines.evaluation.metrics import tracking_reward
+from heli_gym.plant import Plant
 from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.simulation.layout import LAG, LOSS, RIG, VISCOUS
-from heli_gym.task import TOLERANCE, to_action
+from heli_gym.task import TOLERANCE, to_action, to_voltage
+from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 # Rows of the simulation that an episode draws, with the middles and the scales of the presets' ranges.
@@ -28,70 +33,116 @@ DRAWN = (
 )
 
 
+# Attributes of `Heli3DOFEnv` that all helicopters of a vector environment share.
+SHARED = ("control_period", "voltage_limits", "pitch_limit", "start_spread_deg", "random_start", "render_mode", "spec")
+
+
 class HeliVecEnv(VecEnv):
-    """The native vector environment as a Stable-Baselines3 `VecEnv`.
+    """The native vector environment as a Stable-Baselines3 `VecEnv`: what `make_vec_env` makes, many times as fast.
 
-    After a reset, the helicopters are spread evenly over the maneuver, unless `spread` is false: did they all start at
-    its start, they would march in lockstep, and an update would see one part of the maneuver only. Later flights start
-    at its start.
+    Rewards, lengths and `info["episode"]` are those of `make_vec_env("Heli3DOF-v0", ...)` with Monitors, bit for bit in
+    single precision, and an `info` has the same keys.
 
-    Raises ValueError unless its autoreset mode is "SameStep", which is Stable-Baselines3's.
+    Args:
+        envs: `gymnasium.make_vec("Heli3DOF-v0", n, autoreset_mode="SameStep", ...)`, wrapped or not.
+        spread: whether a `reset` spreads the helicopters evenly over the maneuver. Did all start at its start, they
+            would march in lockstep, and an update would see one part of it only. Later flights start at the start.
+        reward_unit: s; rewards, those in `info["episode"]` too, are divided by it. With the control period they are of
+            order one.
+        sparse_infos: whether only the infos of flights that end are filled, which saves time with many helicopters.
+
+    Raises ValueError unless the autoreset mode is "SameStep", which is Stable-Baselines3's, or for another environment.
     """
 
-    def __init__(self, envs: Heli3DOFVectorEnv, spread: bool = True) -> None:
-        if envs.autoreset_mode is not AutoresetMode.SAME_STEP:
-            raise ValueError(f"envs: must have the autoreset mode 'SameStep', not {envs.autoreset_mode.value!r}")
-        self.envs, self.spread = envs, spread
-        self.render_mode = envs.render_mode
-        self.returns, self.lengths = np.zeros(envs.num_envs), np.zeros(envs.num_envs, int)
-        super().__init__(envs.num_envs, envs.single_observation_space, envs.single_action_space)
+    def __init__(
+        self, envs: VectorEnv, spread: bool = False, reward_unit: float = 1.0, sparse_infos: bool = False
+    ) -> None:
+        core = envs.unwrapped
+        if not isinstance(core, Heli3DOFVectorEnv):
+            raise ValueError(f"envs = {envs!r}: must be a native Heli3DOF vector environment")
+        if core.autoreset_mode is not AutoresetMode.SAME_STEP:
+            raise ValueError(f"envs: must have the autoreset mode 'SameStep', not {core.autoreset_mode.value!r}")
+        if not (math.isfinite(reward_unit) and reward_unit > 0.0):
+            raise ValueError(f"reward_unit = {reward_unit!r}: must be a positive number of seconds")
+        self.envs, self.core, self.spread = envs, core, spread
+        self.reward_unit, self.sparse_infos = reward_unit, sparse_infos
+        self.render_mode = core.render_mode
+        self.returns, self.lengths = np.zeros(core.num_envs), np.zeros(core.num_envs, int)
+        self.begin = time.time()
+        super().__init__(core.num_envs, envs.single_observation_space, envs.single_action_space)
 
     def reset(self) -> np.ndarray:
-        """All to their starts; the seeds are those of `seed`."""
+        """Start episodes with the seeds of `seed` and the options of `set_options`, each helicopter its own."""
         seed = None if self._seeds[0] is None else list(self._seeds)
-        durations = np.array([reference.duration for reference in self.envs.references])
-        times = durations * np.arange(self.num_envs) / self.num_envs
-        options = {"time": times} if self.spread else {}
-        observation, self.info = self.envs.reset(seed=seed, options=options | self._options[0])
+        observation, self.info = self.envs.reset(seed=seed, options=self._merged_options())
         self._reset_seeds()
         self._reset_options()
         self.returns[:], self.lengths[:] = 0.0, 0
+        self.reset_infos = self._infos(self.info)
         return self.observed_at_start(observation)
 
+    def _merged_options(self) -> dict[str, Any]:
+        """Options of the vector environment out of those of each helicopter."""
+        names = {name for own in self._options for name, value in own.items() if value is not None}
+        if not names <= {"state", "plant", "time"}:
+            raise ValueError(f"options = {self._options!r}: must be among 'state', 'plant', 'time'")
+        merged: dict[str, Any] = {}
+        if self.spread:
+            durations = np.array([reference.duration for reference in self.core.references])
+            merged["time"] = durations * np.arange(self.num_envs) / self.num_envs
+        defaults = {"state": [[math.nan] * 6] * self.num_envs, "plant": self.core.plants}
+        defaults["time"] = merged.get("time", [0.0] * self.num_envs)
+        for name in names:
+            own = [default if (value := one.get(name)) is None else value
+                   for one, default in zip(self._options, defaults[name])]  # fmt: skip
+            merged[name] = own if name == "plant" else np.array(own, float)
+        return merged
+
     def step_async(self, actions: np.ndarray) -> None:
-        """Keeps the actions for `step_wait`."""
+        """Store the actions for `step_wait`."""
         self.actions = actions
 
     def step_wait(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
-        """Rewards per second, so that they are of order one; the last observation of a flight is in its info."""
+        """Fly one control period; the last observation of a flight that ends is in its info."""
         observation, rewards, terminated, truncated, self.info = self.envs.step(self.to_env_action(self.actions))
         done = terminated | truncated
-        rewards = self.rewarded(rewards / self.envs.control_period, done)
-        ended = np.flatnonzero(done)
+        rewards = self.rewarded(rewards / self.reward_unit, done).astype(np.float32)
         shown, last = self.observed(observation, done)
-        self.returns += rewards * self.envs.control_period
+        self.returns += rewards
         self.lengths += 1
-        infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
-        for column, i in enumerate(ended):
-            infos[i] = {
+        infos = [{} for _ in range(self.num_envs)] if self.sparse_infos else self._infos(self.info)
+        for column, i in enumerate(np.flatnonzero(done).tolist()):
+            infos[i] = self._infos(self.info["final_info"], [i])[0] | {
                 "terminal_observation": last[column],
-                "TimeLimit.truncated": bool(truncated[i]),
-                "episode": {"r": float(self.returns[i]), "l": int(self.lengths[i]), "t": 0.0},
-                "is_success": bool(self.info["final_info"]["is_success"][i]),
+                "TimeLimit.truncated": bool(truncated[i] and not terminated[i]),
+                "episode": {
+                    "r": round(float(self.returns[i]), 6),
+                    "l": int(self.lengths[i]),
+                    "t": round(time.time() - self.begin, 6),
+                },
             }
-        self.returns[ended], self.lengths[ended] = 0.0, 0
-        return shown, rewards.astype(np.float32), done, infos
+        self.returns[done], self.lengths[done] = 0.0, 0
+        return shown, rewards, done, infos
+
+    def _infos(self, info: dict[str, Any], indices: Sequence[int] | None = None) -> list[dict[str, Any]]:
+        """Infos of each helicopter, or of those with these indices."""
+        where = slice(None) if indices is None else list(indices)
+        names = [name for name, value in info.items() if isinstance(value, np.ndarray) and name[0] != "_"]
+        names = [name for name in names if name != "final_obs"]
+        columns = [info[name][where] for name in names]
+        rows = zip(*(column.tolist() if column.ndim == 1 else column for column in columns))
+        return [dict(zip(names, row)) | {"TimeLimit.truncated": False} for row in rows]
 
     def rewarded(self, rewards: np.ndarray, done: np.ndarray) -> np.ndarray:
-        """What the agent is rewarded with (N,) per second, given the environment's rewards."""
+        """Rewards (N,) of the agent, given the environment's, both in the reward unit."""
         return rewards
 
     def observed_at_start(self, observation: np.ndarray) -> np.ndarray:
-        """What the agent sees (N, ...) after a reset, given the environment's observation."""
+        """Observations (N, ...) of the agent after a reset, given the environment's."""
         return observation
 
     def observed(self, observation: np.ndarray, done: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """What the agent sees (N, ...) after a step, and at the ends of those flights that are over."""
+        """Observations (N, ...) of the agent after a step, and at the ends of those flights that are over."""
         ended = np.flatnonzero(done)
         last = np.array([self.info["final_obs"][i] for i in ended]) if len(ended) else observation[:0]
         return observation, last
@@ -101,28 +152,77 @@ class HeliVecEnv(VecEnv):
         return actions
 
     def close(self) -> None:
-        """Closes the environment."""
+        """Close the environment."""
         self.envs.close()
 
+    def helicopter(self, i: int) -> "Helicopter":
+        """The helicopter i as a `Heli3DOFEnv` presents itself."""
+        return Helicopter(self.core, self.envs, i)
+
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
-        """The attribute of the environment, once for each helicopter."""
-        return [getattr(self.envs, attr_name)] * len(list(self._get_indices(indices)))
+        """Attribute of each helicopter, as that of a `Heli3DOFEnv`: "reference", "plant", "drawn_plant", ..."""
+        return [getattr(self.helicopter(i), attr_name) for i in self._get_indices(indices)]
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
         """Refused: the helicopters share one environment."""
         raise NotImplementedError("attributes of single helicopters cannot be set")
 
     def env_method(self, method_name: str, *args: Any, indices: Any = None, **kwargs: Any) -> list[Any]:
-        """The result of the environment's method, once for each helicopter."""
-        return [getattr(self.envs, method_name)(*args, **kwargs)] * len(list(self._get_indices(indices)))
+        """Result of a method of each helicopter: "to_action", "to_voltage", "render"."""
+        return [getattr(self.helicopter(i), method_name)(*args, **kwargs) for i in self._get_indices(indices)]
 
     def env_is_wrapped(self, wrapper_class: Any, indices: Any = None) -> list[bool]:
-        """No helicopter is wrapped on its own."""
-        return [False] * len(list(self._get_indices(indices)))
+        """True for a Monitor, whose `info["episode"]` this environment gives, and false for others."""
+        return [wrapper_class is Monitor] * len(list(self._get_indices(indices)))
 
     def get_images(self) -> Sequence[np.ndarray | None]:
-        """A picture of each helicopter."""
+        """Picture of each helicopter."""
         return self.envs.render() or []
+
+
+class Helicopter:
+    """One helicopter of a vector environment, with the attributes and methods of `Heli3DOFEnv` that change nothing."""
+
+    def __init__(self, core: Heli3DOFVectorEnv, envs: VectorEnv, i: int) -> None:
+        self.core, self.i = core, i
+        self.plant, self.source = core.plants[i], core.references[i]
+        self.hover_voltage = core.hover_voltage[:, i]
+        self.observation_space, self.action_space = envs.single_observation_space, envs.single_action_space
+        for name in SHARED:
+            setattr(self, name, getattr(core, name))
+
+    @property
+    def reference(self) -> Trajectory:
+        """Trajectory to track in this episode."""
+        return self.core.reference_of(self.i)
+
+    @property
+    def drawn_plant(self) -> Plant:
+        """Plant of this episode."""
+        return self.core.plant_of(self.i)
+
+    @property
+    def np_random(self) -> np.random.Generator:
+        """Random generator."""
+        return self.core.np_random[self.i]
+
+    @property
+    def np_random_seed(self) -> int:
+        """Seed of the random generator."""
+        return self.core.np_random_seed[self.i]
+
+    def to_voltage(self, action: Any) -> np.ndarray:
+        """Voltages (2,) in V of an action (2,)."""
+        return to_voltage(np.asarray(action, float), self.core.voltage_limits, self.hover_voltage)
+
+    def to_action(self, u: Any) -> np.ndarray:
+        """The action (2,) of voltages (2,) in V."""
+        return to_action(np.asarray(u, float), self.core.voltage_limits, self.hover_voltage)
+
+    def render(self) -> np.ndarray | None:
+        """Picture of the helicopter."""
+        pictures = self.core.render()
+        return None if pictures is None else pictures[self.i]
 
 
 class ResidualVecEnv(HeliVecEnv):
@@ -140,7 +240,7 @@ class ResidualVecEnv(HeliVecEnv):
         privileged: bool = False,
         spread: bool = True,
     ) -> None:
-        super().__init__(envs, spread)
+        super().__init__(envs, spread, reward_unit=envs.control_period, sparse_infos=True)
         self.policy, self.objective, self.privileged = policy, objective, privileged
         self.policy.reset(np.random.default_rng(0))
         self.n_actor_features = len(self.policy.observe(0.0, self.policy.x[:, 0])[1])
@@ -204,15 +304,3 @@ class ResidualVecEnv(HeliVecEnv):
         self.u_base = u_base
         self.draws = self.drawn()
         return self.shown(features, state, self.t), last
-
-
-def assign_columns(old: Any, new: Any, columns: np.ndarray) -> Any:
-    """Arrays (..., N), or tuples of them, with these columns replaced by arrays (..., n)."""
-    if isinstance(old, tuple):
-        parts = [assign_columns(a, b, columns) for a, b in zip(old, new)]
-        return type(old)(*parts) if hasattr(old, "_fields") else tuple(parts)
-    if old is None:
-        return None
-    result = old.copy()
-    result[..., columns] = new
-    return result

@@ -70,3 +70,23 @@ def step_index(t: Any, control_period: float, last: int) -> Any:
     if np.ndim(t):
         return np.minimum(np.round(np.asarray(t) / control_period).astype(int), last)
     return min(round(t / control_period), last)
+
+
+def assign_columns(old: Any, new: Any, columns: np.ndarray) -> Any:
+    """Replace these columns of arrays (..., N), or of tuples of arrays, by arrays (..., n)."""
+    if isinstance(old, tuple):
+        parts = [assign_columns(a, b, columns) for a, b in zip(old, new)]
+        return type(old)(*parts) if hasattr(old, "_fields") else tuple(parts)
+    if old is None:
+        return None
+    result = old.copy()
+    result[..., columns] = new
+    return result
+
+
+def select_columns(values: Any, columns: np.ndarray) -> Any:
+    """Select these columns of arrays (..., N), or of tuples of arrays."""
+    if isinstance(values, tuple):
+        parts = [select_columns(value, columns) for value in values]
+        return type(values)(*parts) if hasattr(values, "_fields") else tuple(parts)
+    return None if values is None else values[..., columns]
