@@ -4,6 +4,7 @@ from heli_gym.baselines.control.policies import POLICIES, make_policy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.residual_action import ResidualAction, VectorResidualAction
 from heli_gym.baselines.evaluation.rollout import fly
+from heli_gym.baselines.evaluation.scoring import evaluate
 from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.baselines.planning.feasibility import InfeasibleManeuver
 from heli_gym.baselines.planning.planner import plan, plan_fastest, plan_unconstrained
@@ -16,6 +17,7 @@ __all__ = [
     "Policy",
     "ResidualAction",
     "VectorResidualAction",
+    "evaluate",
     "fly",
     "make_policy",
     "plan",

@@ -16,9 +16,11 @@ from rich.table import Table
 
 from heli_gym.baselines.control.policies import POLICIES, is_learned, make_policy
 from heli_gym.baselines.evaluation import figures
+from heli_gym.baselines.evaluation.agents import make_pilot
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
 from heli_gym.baselines.evaluation.report import check_page, write_report
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
+from heli_gym.baselines.evaluation.scoring import flies_together
 from heli_gym.baselines.evaluation.statistics import with_interval
 from heli_gym.baselines.paper.normal_form import thrust_bounds, v2_bounds
 from heli_gym.baselines.paper.tvlqr import riccati_gains
@@ -68,7 +70,9 @@ class Args:
     """Fly the policies along a reference: once from its start at the paper's sampling time of 1 ms (on a plant that is
     not drawn), and in many episodes from perturbed starts. Every policy flies the same episodes."""
 
-    policies: tuple[str, ...] = COMPARED  # which to fly: names, or paths of learned policies, .json
+    policies: tuple[str, ...] = (
+        COMPARED  # which to fly: names, files (.json, .zip of Stable-Baselines3, .onnx), module:function
+    )
     reference: str = "travel-360"  # a packaged reference, or an .npz file that heli-plan wrote
     plant: str = "nominal"  # what is flown: nominal, lab or rigid; the latter two are drawn anew in each episode
     episodes: int = 10  # from perturbed starts
@@ -106,24 +110,29 @@ def evaluate(args: Args, console: Console, flights: list[Flight] | None = None) 
         raise ValueError(f"seed = {args.seed}: must be at least 0")
     exact = Heli3DOFEnv(args.plant, args.reference, PAPER_PERIOD)
     reference = exact.reference
-    perturbed = Heli3DOFVectorEnv(
-        args.episodes,
-        args.plant,
-        reference,
-        control_period=args.control_period,
-        start_spread_deg=args.start_spread_deg,
-    )
+    off: dict[str, Any] = {"control_period": args.control_period, "start_spread_deg": args.start_spread_deg}
+    single = Heli3DOFEnv(args.plant, reference, **off)
+    perturbed = Heli3DOFVectorEnv(args.episodes, args.plant, reference, **off)
     # All that can be refused is made before the first flight.
-    policies = {name: make_policy(name, reference, args.control_period) for name in args.policies}
+    policies = {name: make_pilot(name, reference, args.control_period) for name in args.policies}
     # what was learned flies at its own control period only
-    jobs = [] if exact.plant.is_random else [("exact", name) for name in args.policies if not is_learned(name)]
+    jobs = (
+        []
+        if exact.plant.is_random
+        else [("exact", name) for name in args.policies if not is_learned(name) and not hasattr(policies[name], "act")]
+    )
     jobs += [("perturbed", name) for name in args.policies]
     announce_replaced("heli-evaluate", args.out / RESULTS, *([args.report] if args.report else []))
     for start, name in track(jobs, "flying", console=console):
         env = exact if start == "exact" else perturbed
-        policy = make_policy(name, reference, PAPER_PERIOD) if env is exact else policies[name]
+        policy = make_pilot(name, reference, PAPER_PERIOD) if env is exact else policies[name]
         began = time.perf_counter()
-        group = [fly(exact, policy, seed=args.seed)] if env is exact else fly_many(perturbed, policy, args.seed)
+        if env is exact:
+            group = [fly(exact, policy, seed=args.seed)]
+        elif flies_together(policy, reference):
+            group = fly_many(perturbed, policy, args.seed)
+        else:
+            group = [fly(single, policy, seed=args.seed + k) for k in range(args.episodes)]
         wall_time = (time.perf_counter() - began) / len(group)
         for k, flight in enumerate(group):
             metrics = flight_metrics(flight, reference, env.voltage_limits, env.pitch_limit)

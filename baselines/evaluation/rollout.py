@@ -22,7 +22,7 @@ def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str
 
     Args:
         env: a Heli3DOF environment, wrapped or not, whose episodes start at the start of the reference.
-        policy: gives voltages for times and measurements.
+        policy: gives voltages for times and measurements; or has a method `act`, from observations (N, D) to actions.
         seed: of the episode and of the policy's own randomness.
         options: for `env.reset`.
 
@@ -35,14 +35,17 @@ def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str
         raise ValueError(f"env = {env!r}: must be a Heli3DOF environment")
     if core.random_start:
         raise ValueError(f"env = {env!r}: must start at its reference's start, without random_start")
-    _, info = env.reset(seed=seed, options=options)
+    observation, info = env.reset(seed=seed, options=options)
     check_policy(policy, core, core.reference)
     policy.reset(np.random.default_rng(seed))
     states, voltages = [info["state"]], []
     over = False
     while not over:
-        action = to_action(policy(info["time"], info["measurement"]), core.voltage_limits, core.hover_voltage)
-        _, _, terminated, truncated, info = env.step(action)
+        if hasattr(policy, "act"):
+            action = policy.act(observation[None])[0]
+        else:
+            action = to_action(policy(info["time"], info["measurement"]), core.voltage_limits, core.hover_voltage)
+        observation, _, terminated, truncated, info = env.step(action)
         states.append(info["state"])
         voltages.append(info["voltage"])
         over = terminated or truncated
@@ -56,7 +59,7 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
 
     Args:
         envs: helicopters with the same reference, which all start at its start.
-        policy: gives voltages (2, N) for a time and measurements (6, N).
+        policy: gives voltages (2, N) for a time and measurements (6, N), or has `act` as for `fly`.
         seed: of the first episode, the others counting on, and of the policy's own randomness.
 
     Raises:
@@ -68,16 +71,19 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
     if not (isinstance(reference, Trajectory) and same) or envs.random_start:
         raise ValueError("envs: must have one and the same reference, and start at its start")
     check_policy(policy, envs, reference)
-    _, info = envs.reset(seed=seed)
+    observation, info = envs.reset(seed=seed)
     policy.reset(np.random.default_rng(seed))
     steps = control_steps(reference.duration, envs.control_period)
     states, voltages = np.empty((steps + 1, 6, envs.num_envs)), np.empty((steps, 2, envs.num_envs))
     states[0] = info["state"].T
     flown = np.full(envs.num_envs, steps)  # control periods until the end of each flight; what follows is another one
     for k in range(steps):
-        u = policy(k * envs.control_period, info["measurement"].T)
-        action = to_action(u, envs.voltage_limits, envs.hover_voltage)
-        _, _, terminated, _, info = envs.step(action.T)
+        if hasattr(policy, "act"):
+            action = policy.act(observation).T
+        else:
+            u = policy(k * envs.control_period, info["measurement"].T)
+            action = to_action(u, envs.voltage_limits, envs.hover_voltage)
+        observation, _, terminated, _, info = envs.step(action.T)
         states[k + 1], voltages[k] = info["state"].T, info["voltage"].T
         flown[terminated] = np.minimum(flown[terminated], k + 1)
     t = envs.control_period * np.arange(steps + 1)
