@@ -71,6 +71,56 @@ def dynamics(x: Any, v: Any, parameters: HelicopterParameters, sin: Any = np.sin
     return dq1, ddq1, dq2, ddq2, dq3, ddq3
 
 
+def inverse_dynamics(
+    x: Any, ddq2: Any, ddq3: Any, parameters: HelicopterParameters, sin: Any = np.sin, cos: Any = np.cos
+) -> tuple:
+    """Invert (3b) and (3c): inputs v (2, ...) in N at which elevation and pitch accelerate so, in rad/s², at states x.
+
+    `dynamics` is affine in v, so that three evaluations of it determine the inverse, whatever its terms are; it takes
+    the same kinds of numbers.
+    """
+    _, _, _, elevation, _, pitch = dynamics(x, (0.0, 0.0), parameters, sin, cos)
+    _, _, _, elevation_1, _, pitch_1 = dynamics(x, (1.0, 0.0), parameters, sin, cos)
+    _, _, _, elevation_2, _, pitch_2 = dynamics(x, (0.0, 1.0), parameters, sin, cos)
+    return solve_2x2(
+        elevation_1 - elevation,
+        elevation_2 - elevation,
+        pitch_1 - pitch,
+        pitch_2 - pitch,
+        ddq2 - elevation,
+        ddq3 - pitch,
+    )
+
+
+def thrust_vector(
+    x: Any, ddq1: Any, ddq2: Any, parameters: HelicopterParameters, sin: Any = np.sin, cos: Any = np.cos
+) -> tuple:
+    """Invert (3a) and (3b): components (v1 sin q3, v1 cos q3) in N of the thrust that accelerates travel and elevation.
+
+    The pitch of x is ignored. From evaluations of `dynamics` upright and at 90 degrees of pitch, between which a thrust
+    is a sum of these two; accelerations in rad/s².
+    """
+    q1, dq1, q2, dq2, _, dq3 = x
+    upright, tilted = (q1, dq1, q2, dq2, 0.0 * q2, dq3), (q1, dq1, q2, dq2, 0.0 * q2 + 0.5 * np.pi, dq3)
+    _, travel, _, elevation, _, _ = dynamics(upright, (0.0, 0.0), parameters, sin, cos)
+    _, travel_u, _, elevation_u, _, _ = dynamics(upright, (1.0, 0.0), parameters, sin, cos)
+    _, travel_t, _, elevation_t, _, _ = dynamics(tilted, (1.0, 0.0), parameters, sin, cos)
+    return solve_2x2(
+        travel_t - travel,
+        travel_u - travel,
+        elevation_t - elevation,
+        elevation_u - elevation,
+        ddq1 - travel,
+        ddq2 - elevation,
+    )
+
+
+def solve_2x2(a: Any, b: Any, c: Any, d: Any, y1: Any, y2: Any) -> tuple:
+    """The solution (x1, x2) of a x1 + b x2 = y1, c x1 + d x2 = y2."""
+    determinant = a * d - b * c
+    return (d * y1 - b * y2) / determinant, (a * y2 - c * y1) / determinant
+
+
 def linearise(x: ArrayLike, v: ArrayLike, parameters: HelicopterParameters) -> tuple[np.ndarray, np.ndarray]:
     """Equations (47), (48): A (6, 6, ...) and B (6, 2, ...) of (3) about x (6, ...) and v (2, ...).
 
@@ -92,8 +142,8 @@ def linearise(x: ArrayLike, v: ArrayLike, parameters: HelicopterParameters) -> t
 def hover_input(elevation: ArrayLike, parameters: HelicopterParameters) -> np.ndarray:
     """Virtual input v (2, ...) in N that holds (3) at rest at an elevation in rad: (13) with no motion."""
     q2 = np.asarray(elevation, dtype=float)
-    v1 = -(parameters.a1 * np.sin(q2) + parameters.a2 * np.cos(q2)) / parameters.b2
-    return np.stack((v1, np.zeros_like(v1)))
+    zero = np.zeros_like(q2)
+    return np.stack(inverse_dynamics((zero, zero, q2, zero, zero, zero), 0.0, 0.0, parameters))
 
 
 def rk4_step(derivative: Callable, x: Any, inputs: tuple, dt: Any, *constants: Any) -> tuple:

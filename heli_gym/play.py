@@ -18,7 +18,7 @@ from scipy.linalg import solve_continuous_are
 
 from heli_gym.cli import command, print_version
 from heli_gym.env import Heli3DOFEnv
-from heli_gym.model import fan_thrusts, hover_input, linearise, voltage
+from heli_gym.model import fan_thrusts, hover_input, inverse_dynamics, linearise, thrust_vector, voltage
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.rendering import load_pygame
 from heli_gym.task import EFFORT_TOLERANCE, TOLERANCE
@@ -85,14 +85,9 @@ def set_point(
 
     Position, rate and acceleration (2,) are those of travel and elevation, in rad and s.
     """
-    p = parameters
-    elevation = float(position[1])
-    # v1 by its two shares: across the arm, which turns it, and upright, which lifts it
-    across = float(acceleration[0]) / (p.b1 * math.cos(elevation))
-    upright = (float(acceleration[1]) - p.a1 * math.sin(elevation) - p.a2 * math.cos(elevation)) / p.b2
-    pitch = math.atan2(across, upright)
-    v2 = -p.a3 * math.cos(elevation) * math.sin(pitch) / p.b3
-    return np.array((position[0], rate[0], elevation, rate[1], pitch, 0.0)), np.array((math.hypot(across, upright), v2))
+    x = np.array((position[0], rate[0], position[1], rate[1], 0.0, 0.0))
+    x[4] = math.atan2(*thrust_vector(x, *acceleration, parameters))
+    return x, np.array(inverse_dynamics(x, acceleration[1], 0.0, parameters))
 
 
 def keyboard(hover: np.ndarray, up: np.ndarray, left: np.ndarray) -> dict[tuple[int, ...], np.ndarray]:

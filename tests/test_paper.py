@@ -25,7 +25,7 @@ from heli_gym.baselines.paper.boundary_value import (
     solve_unconstrained,
 )
 from heli_gym.baselines.planning.paper_method import solve_from_unconstrained
-from heli_gym.model import STATE_NAMES, fan_thrusts, hover_input, virtual_input
+from heli_gym.model import STATE_NAMES, fan_thrusts, hover_input, inverse_dynamics, virtual_input
 
 NOMINAL, PAPER = HelicopterParameters(), Maneuver()
 K_PLUS, K_MINUS = 4.855e-3, -1.503e-3
@@ -36,6 +36,7 @@ RNG = np.random.default_rng(7)
 Y1, Y2 = RNG.uniform(-0.5, 0.5, 50), RNG.uniform(-1.2, 1.2, 50)
 DDY1, DDY2 = RNG.uniform(-0.4, 0.4, 50), RNG.uniform(-3.0, 3.0, 50)
 V1, V2 = RNG.uniform(0.0, 1.2, 50), RNG.uniform(-0.5826, 0.5826, 50)
+AT = 0.0, 0.0, Y1, 0.0, Y2, 0.0  # states (44)
 XI1, XI2 = RNG.uniform(-2.0, 2.0, 50), RNG.uniform(-2.0, 2.0, 50)
 
 
@@ -138,9 +139,9 @@ def test_section_iii_a_equation_10_the_outputs_elevation_and_pitch_have_relative
 
 
 def test_section_iii_a_equation_11_is_the_normal_form():
-    assert_allclose(normal_form.alpha1(Y1, Y2, V1, NOMINAL), A1 * np.sin(Y1) + A2 * np.cos(Y1) + B2 * np.cos(Y2) * V1)
-    assert_allclose(normal_form.alpha2(Y1, Y2, V2, NOMINAL), A3 * np.cos(Y1) * np.sin(Y2) + B3 * V2)
-    ddeta = normal_form.internal_dynamics(Y1, Y2, normal_form.alpha1(Y1, Y2, V1, NOMINAL), NOMINAL)
+    assert_allclose(normal_form.alpha1(AT, V1, NOMINAL), A1 * np.sin(Y1) + A2 * np.cos(Y1) + B2 * np.cos(Y2) * V1)
+    assert_allclose(normal_form.alpha2(AT, V2, NOMINAL), A3 * np.cos(Y1) * np.sin(Y2) + B3 * V2)
+    ddeta = normal_form.internal_dynamics(AT, normal_form.alpha1(AT, V1, NOMINAL), NOMINAL)
     assert_allclose(ddeta, B1 * np.sin(Y2) * np.cos(Y1) * V1, atol=1e-12)
 
 
@@ -157,7 +158,7 @@ def test_section_iii_a_equation_12_the_setup_functions_meet_the_boundary_conditi
 
 
 def test_section_iii_b_equation_13_is_the_feedforward():
-    v1, v2 = normal_form.feedforward(Y1, Y2, DDY1, DDY2, NOMINAL)
+    v1, v2 = inverse_dynamics(AT, DDY1, DDY2, NOMINAL)
     assert_allclose(v1, (DDY1 - A1 * np.sin(Y1) - A2 * np.cos(Y1)) / (B2 * np.cos(Y2)))
     assert_allclose(v2, (DDY2 - A3 * np.cos(Y1) * np.sin(Y2)) / B3)
 
@@ -171,7 +172,7 @@ def test_section_iii_b_equation_13_hover_takes_0_6049_newton_and_7_893_volts():
 
 def test_section_iii_b_equation_14_is_the_internal_dynamics():
     expected = B1 / B2 * np.tan(Y2) * (DDY1 - A1 * np.sin(Y1) - A2 * np.cos(Y1)) * np.cos(Y1)
-    assert_allclose(normal_form.internal_dynamics(Y1, Y2, DDY1, NOMINAL), expected)
+    assert_allclose(normal_form.internal_dynamics(AT, DDY1, NOMINAL), expected)
 
 
 @pytest.mark.parametrize("which", ["paper_plan", "unconstrained_plan"])
@@ -282,8 +283,8 @@ def test_section_iii_c_equation_21_the_plans_outputs_accelerate_within_the_bound
     _, _, y1, dy1, y2, dy2 = paper_plan.x
     _, v2 = inputs(paper_plan.u)
     for rate, (low, high) in (
-        (dy1, normal_form.ddy1_bounds(y1, y2, v2, F, NOMINAL)),
-        (dy2, normal_form.ddy2_bounds(y1, y2, F, NOMINAL)),
+        (dy1, normal_form.ddy1_bounds((0.0, 0.0, y1, 0.0, y2, 0.0), v2, F, NOMINAL)),
+        (dy2, normal_form.ddy2_bounds((0.0, 0.0, y1, 0.0, y2, 0.0), F, NOMINAL)),
     ):
         acceleration = derivative(paper_plan.t, rate)
         assert (low[1:-1] - 2e-3 < acceleration).all()
@@ -295,13 +296,13 @@ def test_section_iii_c_equation_22_are_the_bounds_of_the_elevation_acceleration(
     lower = A1 * np.sin(Y1) + A2 * np.cos(Y1) + B2 * np.cos(Y2) * v1_max  # b2 < 0 swaps them, see the notes
     upper = A1 * np.sin(Y1) + A2 * np.cos(Y1) + B2 * np.cos(Y2) * v1_min
     assert (lower < upper).all()
-    assert_allclose(normal_form.ddy1_bounds(Y1, Y2, V2, F, NOMINAL), (lower, upper))
+    assert_allclose(normal_form.ddy1_bounds(AT, V2, F, NOMINAL), (lower, upper))
 
 
 def test_section_iii_c_equation_23_are_the_bounds_of_the_pitch_acceleration():
     lower = A3 * np.cos(Y1) * np.sin(Y2) + B3 * (F_MIN - F_MAX)
     upper = A3 * np.cos(Y1) * np.sin(Y2) + B3 * (F_MAX - F_MIN)
-    assert_allclose(normal_form.ddy2_bounds(Y1, Y2, F, NOMINAL), (lower, upper))
+    assert_allclose(normal_form.ddy2_bounds(AT, F, NOMINAL), (lower, upper))
 
 
 def test_section_iii_c_equation_24_the_planned_pitch_keeps_its_limits(paper_plan):
@@ -387,7 +388,7 @@ def test_section_iii_d_equations_31_32_the_rate_of_xi2_keeps_the_bounds_of_the_p
 @pytest.mark.parametrize("bounds", PSI1)
 def test_section_iii_d_equation_33_are_the_bounds_of_the_rate_of_xi2(bounds):
     at_xi1 = saturation.psi1(XI1, bounds)
-    ddy2_min, ddy2_max = normal_form.ddy2_bounds(Y1, at_xi1.value, F, NOMINAL)
+    ddy2_min, ddy2_max = normal_form.ddy2_bounds((0.0, 0.0, Y1, 0.0, at_xi1.value, 0.0), F, NOMINAL)
     expected = [(ddy2 - at_xi1.curvature * XI2**2) / at_xi1.slope for ddy2 in (ddy2_min, ddy2_max)]
     assert_allclose(saturation.psi2_bounds((ddy2_min, ddy2_max), at_xi1, XI2), expected)
 
@@ -494,7 +495,7 @@ def test_section_iii_d_remark_2_pitch_rate_and_acceleration_vanish_towards_the_l
 
 def test_section_iii_d_equations_41_42_the_bounds_of_the_pitch_acceleration_always_include_zero():
     y1, y2 = np.meshgrid(np.linspace(-math.pi / 2, math.pi / 2, 91), np.linspace(-math.pi / 2, math.pi / 2, 91))
-    low, high = normal_form.ddy2_bounds(y1, y2, F, NOMINAL)
+    low, high = normal_form.ddy2_bounds((0.0, 0.0, y1, 0.0, y2, 0.0), F, NOMINAL)
     assert (low < 0.0).all()
     assert (high > 0.0).all()
 

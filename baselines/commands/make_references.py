@@ -7,20 +7,22 @@ over time, which by (3) determines the pitch, the thrusts and so the voltages.
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from math import atan2, pi, radians
+from math import pi, radians
 from pathlib import Path
 
 import numpy as np
 from numpy.polynomial import Polynomial
 from rich.console import Console
-from scipy.interpolate import make_interp_spline, make_lsq_spline
+from scipy.interpolate import make_lsq_spline
+from scipy.optimize import brentq
 
-from heli_gym.baselines.paper.normal_form import feedforward
+from heli_gym.baselines.planning.flat import invert_motion
 from heli_gym.baselines.planning.planner import plan
 from heli_gym.cli import command, parse
 from heli_gym.env import REFERENCES
-from heli_gym.model import fan_thrusts, voltage
+from heli_gym.model import dynamics
 from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.rig import PAPER
 from heli_gym.storage import check_folder
 from heli_gym.trajectory import Maneuver, Trajectory, concatenate
 
@@ -28,7 +30,6 @@ from heli_gym.trajectory import Maneuver, Trajectory, concatenate
 SAMPLE_PERIOD = 0.04
 CORNERED_PERIOD = 0.005  # of the paper's maneuver: its voltages have corners, where they meet their limits
 INVERSION_PERIOD = 1e-3  # s, of the grid on which (3) is inverted
-ROUNDING = 1e-12  # N, by which a lift of zero may be missed
 
 # From rest to rest with zero second and third derivatives at both ends: the thrust leaves zero like t², and the
 # voltage, its root, like t. (After the setup polynomial of Section III-B it would be the root of t.)
@@ -40,31 +41,12 @@ SINE_TRAVEL, SINE_ELEVATION = radians(45.0), radians(7.5)  # amplitudes
 
 
 def ground_elevation(parameters: HelicopterParameters) -> float:
-    """Elevation in rad at which (3) is at rest without any thrust: tan(q2) = -a2 / a1, below level."""
-    return atan2(parameters.a2, -parameters.a1)
+    """Elevation in rad at which (3) is at rest without any thrust, below level."""
 
+    def acceleration(elevation: float) -> float:
+        return float(dynamics((0.0, 0.0, elevation, 0.0, 0.0, 0.0), (0.0, 0.0), parameters)[3])
 
-def invert_dynamics(
-    t: np.ndarray, travel: np.ndarray, elevation: np.ndarray, limits: Limits, parameters: HelicopterParameters
-) -> Trajectory:
-    """The flight through (3) with this travel and elevation: (3, K) each, with two derivatives, in rad and s.
-
-    `limits` are only noted down, not enforced. The second derivative of the pitch, which v2 needs, is that of a spline
-    through its values, so that t (K,) has to be fine.
-
-    Raises ValueError if the elevation needs a thrust that points downwards.
-    """
-    (q1, dq1, ddq1), (q2, dq2, ddq2), p = travel, elevation, parameters
-    sideways = ddq1 / (p.b1 * np.cos(q2))  # v1 sin(q3), by (3a)
-    lift = (ddq2 - p.a1 * np.sin(q2) - p.a2 * np.cos(q2)) / p.b2  # v1 cos(q3), by (3b)
-    if lift.min() < -ROUNDING:
-        raise ValueError(f"elevation: falls faster than without thrust; a lift of {lift.min():g} N would be needed")
-    lift = np.maximum(lift, 0.0)
-    q3 = np.arctan2(sideways, lift)
-    pitch = make_interp_spline(t, q3, k=5)
-    _, v2 = feedforward(q2, q3, ddq2, pitch.derivative(2)(t), p)
-    u = voltage(fan_thrusts((np.hypot(sideways, lift), v2)), p)
-    return Trajectory(t, np.stack((q1, dq1, q2, dq2, q3, pitch.derivative(1)(t))), u, limits)
+    return brentq(acceleration, -0.5 * pi, 0.5 * pi, xtol=1e-15, rtol=1e-15)
 
 
 def inversion_times(duration: float) -> np.ndarray:
@@ -81,16 +63,16 @@ def elevation_sine() -> Trajectory:
         return amplitude * np.stack((np.sin(w * t), w * np.cos(w * t), -(w**2) * np.sin(w * t)))
 
     travel, elevation = sine(SINE_TRAVEL, SINE_DURATION), sine(SINE_ELEVATION, SINE_DURATION / 4.0)
-    return invert_dynamics(t, travel, elevation, Limits(), HelicopterParameters())
+    return invert_motion(t, travel, elevation, Limits(), PAPER)
 
 
 def take_off() -> Trajectory:
     """From rest without thrust, 18.6 degrees below level, up to level; the voltages start at 0 V."""
-    parameters, T = HelicopterParameters(), TAKE_OFF_DURATION
-    ground, t = ground_elevation(parameters), inversion_times(T)
+    T = TAKE_OFF_DURATION
+    ground, t = ground_elevation(PAPER.parameters), inversion_times(T)
     elevation = np.stack([-ground * SMOOTH_RISE.deriv(n)(t / T) / T**n for n in range(3)])
     elevation[0] += ground
-    return invert_dynamics(t, np.zeros_like(elevation), elevation, Limits(u_min=0.0), parameters)
+    return invert_motion(t, np.zeros_like(elevation), elevation, Limits(u_min=0.0), PAPER)
 
 
 def plan_from_rest(travel_deg: float, elevation_deg: float, duration: float, start_deg: float = 0.0) -> Trajectory:

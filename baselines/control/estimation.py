@@ -15,7 +15,15 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from heli_gym.baselines.control.protocol import apply_gains
-from heli_gym.model import dynamics, hover_input, linearise, rk4_step, virtual_input
+from heli_gym.model import (
+    dynamics,
+    hover_input,
+    inverse_dynamics,
+    linearise,
+    rk4_step,
+    thrust_vector,
+    virtual_input,
+)
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.rig import Rig
 
@@ -201,14 +209,11 @@ def disturbance_accommodated_reference(
     stays within its limits, and as upright as if there were some lift where there is none. Travel, elevation and all
     rates are those of the reference.
     """
-    q1, dq1, q2, dq2, q3, dq3 = x
-    v1, v2 = v
-    on_travel, on_elevation, on_pitch = disturbance
-    p = parameters
-    least_lift = LEAST_LIFT * -p.a2 / p.b2
-    sideways = v1 * np.sin(q3) - on_travel / (p.b1 * np.cos(q2))
-    upwards = v1 * np.cos(q3) - on_elevation / p.b2
-    tilt = np.clip(np.arctan2(sideways, np.maximum(upwards, least_lift)), *pitch_limits)
-    held = v2 - (on_pitch + p.a3 * np.cos(q2) * (np.sin(tilt) - np.sin(q3))) / p.b3
-    target = np.stack(np.broadcast_arrays(q1, dq1, q2, dq2, tilt, dq3))
-    return target, np.stack(np.broadcast_arrays(np.hypot(sideways, upwards), held))
+    q1, dq1, q2, dq2, _, dq3 = x
+    ddq1, ddq2, ddq3 = (a - d for a, d in zip(dynamics(x, v, parameters)[1::2], disturbance))
+    across, upright = thrust_vector(x, ddq1, ddq2, parameters)
+    least_lift = LEAST_LIFT * float(hover_input(0.0, parameters)[0])
+    tilt = np.clip(np.arctan2(across, np.maximum(upright, least_lift)), *pitch_limits)
+    target = q1, dq1, q2, dq2, tilt, dq3
+    _, held = inverse_dynamics(target, ddq2, ddq3, parameters)
+    return np.stack(np.broadcast_arrays(*target)), np.stack(np.broadcast_arrays(np.hypot(across, upright), held))

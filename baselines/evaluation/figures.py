@@ -175,7 +175,7 @@ def smooth_saturation(bounds: tuple[float, float]) -> Figure:
 def ramp_saturation(limits: Limits = Limits(), parameters: HelicopterParameters = HelicopterParameters()) -> Figure:
     """Fig. 7: the saturation function (34), for its bounds (33) at hover."""
     f = thrust_bounds(limits, parameters)
-    low, high = psi2_bounds(ddy2_bounds(0.0, 0.0, f, parameters), psi1(0.0, limits.pitch), 0.0)
+    low, high = psi2_bounds(ddy2_bounds(np.zeros(6), f, parameters), psi1(0.0, limits.pitch), 0.0)
     v = 2.0 * np.linspace(low, high, 401)
     figure, axes = single_panel(
         r"new input $\tilde v_2$ (rad/s²)", r"$\dot\xi_2 = \psi_2(\tilde v_2, \psi_2^\pm)$ (rad/s²)"

@@ -10,10 +10,11 @@ from numpy.polynomial import Polynomial
 from numpy.polynomial.polynomial import polyval
 from scipy.integrate import solve_bvp
 
-from heli_gym.baselines.paper.normal_form import ddy1_bounds, ddy2_bounds, feedforward, internal_dynamics
+from heli_gym.baselines.paper.jacobian import STEP
+from heli_gym.baselines.paper.normal_form import ddy1_bounds, ddy2_bounds, internal_dynamics
 from heli_gym.baselines.paper.saturation import Saturation, ddy2, psi1, psi1_inverse, psi2_bounds, ramp
 from heli_gym.compilation import jit_cached
-from heli_gym.model import fan_thrusts
+from heli_gym.model import dynamics, fan_thrusts, inverse_dynamics, linearise
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -70,17 +71,22 @@ def solve_unconstrained(maneuver: Maneuver, tolerance: float = COARSE) -> Soluti
     """The BVP (14) with two free parameters, from a linear guess as in the paper; None if there is no solution."""
     T, (eta_0, _), (eta_T, _), parameters = maneuver.duration, maneuver.start, maneuver.goal, maneuver.parameters
 
+    def acceleration(t, Y, outputs):
+        (y1, dy1, ddy1), (y2, dy2, _) = outputs
+        return internal_dynamics((*Y, y1, dy1, y2, dy2), ddy1, parameters)
+
     def rhs(t, Y, p):
-        (y1, _, ddy1), (y2, _, _) = setup_functions(maneuver, t, p)
-        return np.stack((Y[1], internal_dynamics(y1, y2, ddy1, parameters)))
+        return np.stack((Y[1], acceleration(t, Y, setup_functions(maneuver, t, p))))
 
     def rhs_jacobian(t, Y, p):
-        (y1, _, ddy1), (y2, _, _) = setup_functions(maneuver, t, p)
-        # (14a) depends on y2 as tan(y2), and tan(pi/4) = 1
-        gradient = internal_dynamics(y1, np.pi / 4, ddy1, parameters) / np.cos(y2) ** 2
+        outputs = setup_functions(maneuver, t, p).astype(complex)
         dY, dp = np.zeros((2, 2, len(t))), np.zeros((2, 2, len(t)))
         dY[0, 1] = 1.0
-        dp[1] = gradient * np.stack([bump(t / T) for bump in BUMPS])
+        for k in range(2):  # complex steps
+            dY[1, k] = acceleration(t, Y + 1j * STEP * np.eye(2)[k][:, None], outputs).imag / STEP
+            moved = outputs.copy()
+            moved[1] += 1j * STEP * polyval(t / T, COEFFICIENTS[:, 1 + k]) / T ** np.arange(3)[:, None]
+            dp[1, k] = acceleration(t, Y, moved).imag / STEP
         return dY, dp
 
     def boundary(Ya, Yb, p):
@@ -102,25 +108,25 @@ def unconstrained_trajectory(maneuver: Maneuver, solution: Solution) -> Trajecto
     """A solution of (14) as states and voltages, by (13) and the inverse of (4) and (2)."""
     t = sample_times(maneuver)
     (y1, dy1, ddy1), (y2, dy2, ddy2_) = setup_functions(maneuver, t, solution.p)
-    eta, deta = solution.interpolate(t)
-    v = feedforward(y1, y2, ddy1, ddy2_, maneuver.parameters)
-    u = maneuver.rig.voltage(fan_thrusts(v))
-    return Trajectory(t, np.stack((eta, deta, y1, dy1, y2, dy2)), u, maneuver.limits, maneuver.rig)
+    x = np.stack((*solution.interpolate(t), y1, dy1, y2, dy2))
+    u = maneuver.rig.voltage(fan_thrusts(inverse_dynamics(x, ddy1, ddy2_, maneuver.parameters)))
+    return Trajectory(t, x, u, maneuver.limits, maneuver.rig)
 
 
 # Section III-D: with constraints
 
 
 class Motion(NamedTuple):
-    """What (38) determines algebraically at each time; arrays (K,)."""
+    """What (38) determines algebraically at each time; arrays (K,), the state x (6, K) and the inputs v (2, K)."""
 
     pitch: Saturation
-    dxi2: np.ndarray
-    ddy1: np.ndarray
-    v1: np.ndarray
-    v2: np.ndarray
-    free1: np.ndarray  # whether psi3 and psi2 are off their bounds
-    free2: np.ndarray
+    x: Any  # the state (44)
+    dxi2: Any
+    ddy1: Any
+    ddeta: Any
+    v: Any
+    free1: Any  # whether psi3 and psi2 are off their bounds
+    free2: Any
 
 
 def constrained_motion(Y: Any, phi: Any, pitch_bounds: Any, f: Any, parameters: HelicopterParameters) -> Motion:
@@ -128,16 +134,17 @@ def constrained_motion(Y: Any, phi: Any, pitch_bounds: Any, f: Any, parameters: 
 
     Y (6, ...) are the states, phi (2, ...) the new inputs, f the bounds of the thrusts.
     """
-    y1, _, xi1, xi2, _, _ = Y
+    y1, dy1, xi1, xi2, eta, deta = Y
     phi1, phi2 = phi
     pitch = psi1(xi1, pitch_bounds)
-    y2 = pitch.value
-    dxi2 = ramp(phi2, psi2_bounds(ddy2_bounds(y1, y2, f, parameters), pitch, xi2))
+    x = eta, deta, y1, dy1, pitch.value, pitch.slope * xi2
+    dxi2 = ramp(phi2, psi2_bounds(ddy2_bounds(x, f, parameters), pitch, xi2))
     ddy2_ = ddy2(pitch, xi2, dxi2)
-    _, v2 = feedforward(y1, y2, 0.0, ddy2_, parameters)
-    ddy1 = ramp(phi1, ddy1_bounds(y1, y2, v2, f, parameters))
-    v1, _ = feedforward(y1, y2, ddy1, ddy2_, parameters)
-    return Motion(pitch, dxi2, ddy1, v1, v2, ddy1 == phi1, dxi2 == phi2)
+    _, v2 = inverse_dynamics(x, 0.0, ddy2_, parameters)
+    ddy1 = ramp(phi1, ddy1_bounds(x, v2, f, parameters))
+    v = inverse_dynamics(x, ddy1, ddy2_, parameters)
+    ddeta = dynamics(x, v, parameters)[1]
+    return Motion(pitch, x, dxi2, ddy1, ddeta, v, ddy1 == phi1, dxi2 == phi2)
 
 
 def new_inputs(tau: float, p: Any) -> tuple:
@@ -165,59 +172,40 @@ def sampling_kernel() -> Callable:
             motion = constrained_motion((y1, dy1, xi1, xi2, eta, deta), phi, pitch_bounds, f, parameters)
             x[0, k], x[1, k], x[2, k], x[3, k] = eta, deta, y1, dy1
             x[4, k], x[5, k] = motion.pitch.value, motion.pitch.slope * xi2
-            thrusts[0, k], thrusts[1, k] = fan_thrusts((motion.v1, motion.v2))
+            thrusts[0, k], thrusts[1, k] = fan_thrusts(motion.v)
 
     return jit_cached(sample, fast=True)
 
 
-def constrained_rhs(Y: Any, motion: Motion, parameters: HelicopterParameters) -> tuple:
+def constrained_rhs(Y: Any, motion: Motion) -> tuple:
     """Time derivative of the states Y (6, ...) of (38)."""
-    y1, dy1, _, xi2, _, deta = Y
-    return dy1, motion.ddy1, xi2, motion.dxi2, deta, internal_dynamics(y1, motion.pitch.value, motion.ddy1, parameters)
+    return Y[1], motion.ddy1, Y[3], motion.dxi2, Y[5], motion.ddeta
 
 
-def motion_gradients(Y: Any, motion: Motion, f: Any, parameters: HelicopterParameters) -> tuple:
-    """Gradients of ddy1, d xi2/dt and ddeta of (38), each with respect to (y1, xi1, xi2, phi1, phi2).
+def changes(dY: Any, dphi: Any, Y: Any, motion: Motion, columns: Any, f: Any) -> tuple:
+    """First-order changes of ddy1, d xi2/dt and ddeta of (38) with dY (6, ...) and dphi (2, ...).
 
-    On the corner of a ramp, that of its inner side.
+    `columns` (8, 6, ...) are the derivatives of (3) by x and v. On the corner of a ramp, those of its inner side.
     """
-    p, m = parameters, motion
-    y1, xi2 = Y[0], Y[3]
-    y2, slope, curvature, third = m.pitch
-    sin1, cos1, sin2, cos2 = np.sin(y1), np.cos(y1), np.sin(y2), np.cos(y2)
-
-    # (11b): ddy2 = a3 cos(y1) sin(y2) + b3 v2. Off the bounds of (33), v2 follows from (30); on them, it is constant.
-    v2_y1 = p.a3 / p.b3 * sin1 * sin2
-    v2_xi1 = (xi2**2 * third + m.dxi2 * curvature - p.a3 * cos1 * cos2 * slope) / p.b3
-    v2_xi2 = 2.0 * curvature * xi2 / p.b3
+    m, xi2 = motion, Y[3]
+    _, slope, curvature, third = m.pitch
     free1, free2 = 1.0 * m.free1, 1.0 * m.free2
-    back = -(1.0 - free2) * p.b3 / (slope + free2)  # the slope underflows far out, where nothing is bounded
-    dxi2 = back * v2_y1, back * v2_xi1, back * v2_xi2, 0.0 * free2, free2
+    dy1, ddy1, dxi1, dxi2, deta, ddeta = dY
+    dx = deta, ddeta, dy1, ddy1, slope * dxi1, curvature * xi2 * dxi1 + slope * dxi2
+    c0, c1, c2, c3, c4, c5, by_v1, by_v2 = columns
+    on_eta = c0[1] * dx[0] + c1[1] * dx[1] + c2[1] * dx[2] + c3[1] * dx[3] + c4[1] * dx[4] + c5[1] * dx[5]
+    on_y1 = c0[3] * dx[0] + c1[3] * dx[1] + c2[3] * dx[2] + c3[3] * dx[3] + c4[3] * dx[4] + c5[3] * dx[5]
+    on_y2 = c0[5] * dx[0] + c1[5] * dx[1] + c2[5] * dx[2] + c3[5] * dx[3] + c4[5] * dx[4] + c5[5] * dx[5]
 
-    # (11a): ddy1 = lift + b2 cos(y2) v1, on the bounds of (22) with v1 = constant ± |v2|, see (20)
-    lift, d_lift = p.a1 * sin1 + p.a2 * cos1, p.a1 * cos1 - p.a2 * sin1
-    low, high = f
-    on_lower_v1 = 1.0 * (m.ddy1 > lift + p.b2 * cos2 * (low + high))
-    by_v2 = (1.0 - free1) * free2 * (2.0 * on_lower_v1 - 1.0) * np.sign(m.v2) * p.b2 * cos2
-    ddy1 = (
-        (1.0 - free1) * d_lift + by_v2 * v2_y1,
-        by_v2 * v2_xi1 - (1.0 - free1) * p.b2 * sin2 * m.v1 * slope,
-        by_v2 * v2_xi2,
-        free1,
-        by_v2 * slope / p.b3,
-    )
-
-    # (14a)
-    ratio, rest, tan2 = p.b1 / p.b2, m.ddy1 - lift, sin2 / cos2
-    k = ratio * tan2 * cos1
-    ddeta = (
-        k * (ddy1[0] - d_lift) - ratio * tan2 * sin1 * rest,
-        k * ddy1[1] + ratio * cos1 * rest / cos2**2 * slope,
-        k * ddy1[2],
-        k * ddy1[3],
-        k * ddy1[4],
-    )
-    return ddy1, dxi2, ddeta
+    # Off the bounds of (33), v2 follows from (30); on them, it is constant.
+    bend = (xi2**2 * third + m.dxi2 * curvature) * dxi1 + 2.0 * curvature * xi2 * dxi2
+    # the slope underflows far out, where nothing is bounded
+    d_dxi2 = free2 * dphi[1] + (1.0 - free2) * (on_y2 - bend) / (slope + free2)
+    dv2 = free2 * (bend + slope * dphi[1] - on_y2) / by_v2[5]
+    # Off the bounds of (22), v1 follows from (13a); on them, v1 is constant plus or minus |v2|, see (20).
+    on_lower = 1.0 * (m.v[0] < f[0] + f[1])
+    dv1 = free1 * (dphi[0] - on_y1) / by_v1[3] + (1.0 - free1) * (2.0 * on_lower - 1.0) * np.sign(m.v[1]) * dv2
+    return on_y1 + by_v1[3] * dv1, d_dxi2, on_eta + by_v1[1] * dv1
 
 
 @dataclass(frozen=True)
@@ -253,18 +241,21 @@ class ConstrainedProblem:
     def rhs(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> np.ndarray:
         """Time derivative (6, K) of Y."""
         self.check()
-        return np.stack(constrained_rhs(Y, self.motion(t, Y, p), self.maneuver.parameters))
+        return np.stack(np.broadcast_arrays(*constrained_rhs(Y, self.motion(t, Y, p))))
 
     def rhs_jacobian(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Derivatives (6, 6, K) and (6, 6, K) of `rhs` with respect to Y and p."""
-        basis1, basis2 = self.ansatz(t)
         f = self.maneuver.rig.thrust_bounds(self.maneuver.limits.u)
-        gradients = motion_gradients(Y, self.motion(t, Y, p), f, self.maneuver.parameters)
+        motion = self.motion(t, Y, p)
+        columns = np.concatenate(linearise(motion.x, motion.v, self.maneuver.parameters), axis=1).swapaxes(0, 1)
         dY, dp = np.zeros((6, 6, len(t))), np.zeros((6, len(p), len(t)))
         dY[[0, 2, 4], [1, 3, 5]] = 1.0
-        for row, (by_y1, by_xi1, by_xi2, by_phi1, by_phi2) in zip((1, 3, 5), gradients):
-            dY[row, 0], dY[row, 2], dY[row, 3] = by_y1, by_xi1, by_xi2
-            dp[row] = np.concatenate((by_phi1 * basis1, by_phi2 * basis2))
+        zero = np.zeros(2)
+        for k, unit in enumerate(np.eye(6)):
+            dY[[1, 3, 5], k] = changes(unit, zero, Y, motion, columns, f)
+        for rows, basis, unit in zip(np.split(np.arange(6), KAPPA[:1]), self.ansatz(t), np.eye(2)):
+            by_phi = np.stack(np.broadcast_arrays(*changes(np.zeros(6), unit, Y, motion, columns, f)))
+            dp[[[1], [3], [5]], rows] = by_phi[:, None] * basis
         return dY, dp
 
     def ends(self) -> np.ndarray:

@@ -1,37 +1,43 @@
 """Sections III-A and III-C: Byrnes-Isidori normal form (10)-(14) and the input constraints (15)-(23).
 
 The outputs are y1 = q2 (elevation) and y2 = q3 (pitch); eta = q1 (travel) is the internal dynamics.
-All functions broadcast; angles in rad, accelerations in rad/s², thrusts and virtual inputs in N.
+(13) itself is `heli_gym.model.inverse_dynamics`. All functions broadcast; states x are (44), angles in rad,
+accelerations in rad/s², thrusts and virtual inputs in N.
 """
 
 from typing import Any
 
 import numpy as np
 
-from heli_gym.model import thrust
+from heli_gym.model import dynamics, inverse_dynamics, thrust
 from heli_gym.parameters import HelicopterParameters, Limits
 
 
-def alpha1(y1: Any, y2: Any, v1: Any, p: HelicopterParameters) -> Any:
-    """Equation (11a): second derivative of the elevation."""
-    return p.a1 * np.sin(y1) + p.a2 * np.cos(y1) + p.b2 * np.cos(y2) * v1
+def alpha1(x: Any, v1: Any, p: HelicopterParameters) -> Any:
+    """Equation (11a): second derivative of the elevation, (3b)."""
+    return dynamics(x, (v1, 0.0), p)[3]
 
 
-def alpha2(y1: Any, y2: Any, v2: Any, p: HelicopterParameters) -> Any:
-    """Equation (11b): second derivative of the pitch."""
-    return p.a3 * np.cos(y1) * np.sin(y2) + p.b3 * v2
+def alpha2(x: Any, v2: Any, p: HelicopterParameters) -> Any:
+    """Equation (11b): second derivative of the pitch, (3c)."""
+    return dynamics(x, (0.0, v2), p)[5]
 
 
-def feedforward(y1: Any, y2: Any, ddy1: Any, ddy2: Any, p: HelicopterParameters) -> tuple[Any, Any]:
-    """Equation (13): the virtual inputs (v1, v2) that give the outputs these second derivatives."""
-    v1 = (ddy1 - p.a1 * np.sin(y1) - p.a2 * np.cos(y1)) / (p.b2 * np.cos(y2))
-    v2 = (ddy2 - p.a3 * np.cos(y1) * np.sin(y2)) / p.b3
-    return v1, v2
-
-
-def internal_dynamics(y1: Any, y2: Any, ddy1: Any, p: HelicopterParameters) -> Any:
+def internal_dynamics(x: Any, ddy1: Any, p: HelicopterParameters, sin: Any = np.sin, cos: Any = np.cos) -> Any:
     """Equation (14a): second derivative of the travel, v1 eliminated from (11c) by (13a)."""
-    return p.b1 / p.b2 * np.tan(y2) * (ddy1 - p.a1 * np.sin(y1) - p.a2 * np.cos(y1)) * np.cos(y1)
+    return dynamics(x, inverse_dynamics(x, ddy1, 0.0, p, sin, cos), p, sin, cos)[1]
+
+
+def travel_damping(p: HelicopterParameters) -> float:
+    """Decay in 1/s of the travel rate by itself, as (3a) has it at level: zero in the paper."""
+    still, moving = (dynamics((0.0, rate, 0.0, 0.0, 0.0, 0.0), (0.0, 0.0), p)[1] for rate in (0.0, 1.0))
+    return float(still - moving)
+
+
+def arrival_weights(left: Any, damping: Any) -> tuple[Any, Any]:
+    """What a travel acceleration leaves of the rate, and adds to the travel in s, a time `left` in s later."""
+    decay = np.exp(-damping * left)
+    return decay, (1.0 - decay) / damping if damping else left
 
 
 def thrust_bounds(limits: Limits, p: HelicopterParameters) -> tuple[float, float]:
@@ -51,16 +57,19 @@ def v1_bounds(v2: Any, f: tuple[float, float]) -> tuple[Any, Any]:
     return np.maximum(2.0 * f_min - v2, 2.0 * f_min + v2), np.minimum(2.0 * f_max - v2, 2.0 * f_max + v2)
 
 
-def ddy1_bounds(y1: Any, y2: Any, v2: Any, f: tuple[float, float], p: HelicopterParameters) -> tuple[Any, Any]:
+def ddy1_bounds(x: Any, v2: Any, f: tuple[float, float], p: HelicopterParameters) -> tuple[Any, Any]:
     """Equation (22): bounds of the elevation's second derivative.
 
-    b2 is negative, so the lower bound comes from the upper bound of v1 (misprinted in the paper).
+    Table I's b2 is negative, so that the lower bound comes from the upper bound of v1 (misprinted in the paper); where
+    it is positive, from the lower one.
     """
     v1_min, v1_max = v1_bounds(v2, f)
-    return alpha1(y1, y2, v1_max, p), alpha1(y1, y2, v1_min, p)
+    one, other = alpha1(x, v1_max, p), alpha1(x, v1_min, p)
+    return np.minimum(one, other), np.maximum(one, other)
 
 
-def ddy2_bounds(y1: Any, y2: Any, f: tuple[float, float], p: HelicopterParameters) -> tuple[Any, Any]:
+def ddy2_bounds(x: Any, f: tuple[float, float], p: HelicopterParameters) -> tuple[Any, Any]:
     """Equation (23): bounds of the pitch's second derivative."""
     v2_min, v2_max = v2_bounds(f)
-    return alpha2(y1, y2, v2_min, p), alpha2(y1, y2, v2_max, p)
+    one, other = alpha2(x, v2_min, p), alpha2(x, v2_max, p)
+    return np.minimum(one, other), np.maximum(one, other)

@@ -1,7 +1,7 @@
 """The Riccati equation (50) by Runge-Kutta steps of order four, compiled.
 
-The linearisation is that of `heli_gym.model.dynamics` as it stands, by dual numbers: complex ones, whose imaginary
-parts are so small that only their first order counts. What of it vanishes, or is constant, is found out beforehand.
+The linearisation is that of `heli_gym.model.dynamics` as it stands, see `jacobian`; which of its entries vanish or are
+constant is found out beforehand.
 """
 
 import math
@@ -10,24 +10,14 @@ from functools import cache
 
 import numpy as np
 
+from heli_gym.baselines.paper.jacobian import jacobian_column
 from heli_gym.compilation import jit_cached
-from heli_gym.model import dynamics, linearise
+from heli_gym.model import linearise
 from heli_gym.parameters import HelicopterParameters
 
-STEP = 1e-30  # of the dual numbers
 TINY = 1e-300  # what keeps a division from being one by zero
 # Two states and inputs without symmetry, by which what is constant and what vanishes in the Jacobians is recognised.
 GENERIC = np.array([[0.3, 0.7, -0.2, 0.5, 0.4, -0.6, 0.9, 0.1], [-1.1, 0.2, 0.6, -0.3, -0.7, 0.8, 0.4, -0.3]])
-
-
-def dual_sin(z):
-    """The sine of a dual number."""
-    return complex(math.sin(z.real), math.cos(z.real) * z.imag)
-
-
-def dual_cos(z):
-    """The cosine of a dual number."""
-    return complex(math.cos(z.real), -math.sin(z.real) * z.imag)
 
 
 @cache
@@ -37,18 +27,10 @@ def linearising_kernel() -> Callable:
     def linearise_along(z, columns, parameters, J):
         for n in range(z.shape[1]):
             for j in columns:
-                x = (
-                    complex(z[0, n], STEP if j == 0 else 0.0),
-                    complex(z[1, n], STEP if j == 1 else 0.0),
-                    complex(z[2, n], STEP if j == 2 else 0.0),
-                    complex(z[3, n], STEP if j == 3 else 0.0),
-                    complex(z[4, n], STEP if j == 4 else 0.0),
-                    complex(z[5, n], STEP if j == 5 else 0.0),
-                )
-                v = complex(z[6, n], STEP if j == 6 else 0.0), complex(z[7, n], STEP if j == 7 else 0.0)
-                dx = dynamics(x, v, parameters, dual_sin, dual_cos)
+                x = z[0, n], z[1, n], z[2, n], z[3, n], z[4, n], z[5, n]
+                dx = jacobian_column(x, (z[6, n], z[7, n]), j, parameters)
                 for i in range(6):
-                    J[n, i, j] = (dx[i] + 0j).imag / STEP
+                    J[n, i, j] = dx[i]
 
     return jit_cached(linearise_along)
 

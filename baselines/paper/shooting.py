@@ -19,16 +19,17 @@ from heli_gym.baselines.paper.boundary_value import (
     KAPPA,
     ConstrainedProblem,
     Solution,
+    changes,
     constrained_motion,
     constrained_rhs,
-    motion_gradients,
     new_inputs,
     setup_functions,
 )
-from heli_gym.baselines.paper.normal_form import alpha1, alpha2, internal_dynamics
+from heli_gym.baselines.paper.jacobian import STEP, dual_cos, dual_sin, jacobian
+from heli_gym.baselines.paper.normal_form import arrival_weights, internal_dynamics, travel_damping
 from heli_gym.baselines.paper.saturation import psi1, psi1_inverse
 from heli_gym.compilation import jit_cached
-from heli_gym.model import axpy, virtual_input
+from heli_gym.model import axpy, dynamics, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
 SEGMENTS = 10
@@ -96,25 +97,19 @@ def linearised(tau, Y, V, p, pitch_bounds, f, parameters, dV):
     Fills in that of V (6, 7), small changes of the states, of which the first six are due to the parameters.
     """
     motion = constrained_motion(Y, new_inputs(tau, p), pitch_bounds, f, parameters)
-    ddy1, dxi2, ddeta = motion_gradients(Y, motion, f, parameters)
+    columns = jacobian(motion.x, motion.v, parameters)
     for j in range(7):
-        y1, xi1, xi2 = V[0, j], V[2, j], V[3, j]
-        dV[0, j], dV[2, j], dV[4, j] = V[1, j], xi2, V[5, j]
-        dV[1, j] = ddy1[0] * y1 + ddy1[1] * xi1 + ddy1[2] * xi2
-        dV[3, j] = dxi2[0] * y1 + dxi2[1] * xi1 + dxi2[2] * xi2
-        dV[5, j] = ddeta[0] * y1 + ddeta[1] * xi1 + ddeta[2] * xi2
-    power = tau
-    for k in range(KAPPA[0]):
-        power *= tau
-        dV[1, k] += ddy1[3] * (power - tau)
-        dV[5, k] += ddeta[3] * (power - tau)
-    power = tau
-    for k in range(KAPPA[0], KAPPA[0] + KAPPA[1]):
-        power *= tau
-        dV[1, k] += ddy1[4] * (power - tau)
-        dV[3, k] += dxi2[4] * (power - tau)
-        dV[5, k] += ddeta[4] * (power - tau)
-    return constrained_rhs(Y, motion, parameters)
+        phi1, phi2, power = 0.0, 0.0, tau
+        for k in range(max(KAPPA)):  # (39), by its j-th parameter
+            power *= tau
+            if j == k and k < KAPPA[0]:
+                phi1 = power - tau
+            if j == KAPPA[0] + k:
+                phi2 = power - tau
+        dY = V[0, j], V[1, j], V[2, j], V[3, j], V[4, j], V[5, j]
+        dV[1, j], dV[3, j], dV[5, j] = changes(dY, (phi1, phi2), Y, motion, columns, f)
+        dV[0, j], dV[2, j], dV[4, j] = V[1, j], V[3, j], V[5, j]
+    return constrained_rhs(Y, motion)
 
 
 def add_scaled(V, h, dV, W):
@@ -213,29 +208,49 @@ def improved(now: Shot, shoot: Callable[[np.ndarray, np.ndarray], Shot]) -> Shot
     return None
 
 
+@cache
+def travel_kernel() -> Callable:
+    """Compiled: fills in the travel's second derivative (K,) of (14a), and its derivatives (2, K) by two parameters.
+
+    Elevation and its derivatives are (K,), the pitch with its own (3, K), each parameter's share of that (2, 3, K).
+    """
+
+    def accelerate(y1, dy1, ddy1, pitch, shares, parameters, ddeta, by_p):
+        for k in range(len(ddeta)):
+            for j in range(2):
+                y2 = complex(pitch[0, k], STEP * shares[j, 0, k])
+                dy2 = complex(pitch[1, k], STEP * shares[j, 1, k])
+                x = 0.0, 0.0, complex(y1[k], 0.0), dy1[k], y2, dy2
+                value = internal_dynamics(x, ddy1[k], parameters, dual_sin, dual_cos)
+                ddeta[k], by_p[j, k] = value.real, value.imag / STEP
+
+    return jit_cached(accelerate, fast=True)
+
+
 def unconstrained_guess(maneuver: Maneuver) -> Solution | None:
     """The solution of (14) at the ends of the segments, by the trapezoidal rule and Newton's method; None if none is.
 
-    The travel starts and ends at rest, and what it covers is the integral of the time that is left times ddeta.
+    The travel starts and ends at rest, and what it covers is the integral of the time that is left times ddeta; with
+    damping, of what each acceleration leaves at the end of the rate and adds to the travel.
     """
-    T, p = maneuver.duration, np.zeros(2)
+    T, p, parameters = maneuver.duration, np.zeros(2), maneuver.parameters
     share = np.linspace(0.0, 1.0, SEGMENTS * SEARCH + 1)
-    (y1, _, ddy1), _ = setup_functions(maneuver, T * share, p)
-    bumps = polyval(share, COEFFICIENTS[:, 1:, 0])
-    slope = internal_dynamics(y1, math.pi / 4.0, ddy1, maneuver.parameters)  # ddeta is this times tan(y2)
-    h = T / (len(share) - 1)
-    weights = h * np.stack((slope, T * (1.0 - share) * slope))  # at both ends, the pitch is zero
+    bumps = polyval(share, COEFFICIENTS[:, 1:]) / T ** np.arange(3)[:, None]
+    h, damping = T / (len(share) - 1), travel_damping(parameters)
+    weights = h * np.stack(arrival_weights(T * (1.0 - share), damping))  # at both ends, the pitch is zero
+    ddeta, by_p = np.empty_like(share), np.empty((2, len(share)))
     for _ in range(NEWTON_STEPS):
-        y2 = p @ bumps
-        if np.abs(y2).max() >= 0.5 * math.pi:
+        (y1, dy1, ddy1), outputs = setup_functions(maneuver, T * share, p)
+        if np.abs(outputs[0]).max() >= 0.5 * math.pi:
             return None
-        tangent = np.tan(y2)
-        defects = weights @ tangent - [0.0, maneuver.goal[0] - maneuver.start[0]]
+        travel_kernel()(y1, dy1, ddy1, outputs, bumps, parameters, ddeta, by_p)
+        defects = weights @ ddeta - [0.0, maneuver.goal[0] - maneuver.start[0]]
         if np.abs(defects).max() < 1e-9:
-            deta = integrated(slope * tangent, h)
+            decay = np.exp(damping * T * share)
+            deta = integrated(decay * ddeta, h) / decay
             eta = maneuver.start[0] + integrated(deta, h)
             return Solution(T * share[::SEARCH], np.stack((eta, deta))[:, ::SEARCH], p)
-        p = p - np.linalg.solve((weights * (1.0 + tangent**2)) @ bumps.T, defects)
+        p = p - np.linalg.solve(weights @ by_p.T, defects)
     return None
 
 
@@ -259,8 +274,8 @@ def guess_from(problem: ConstrainedProblem, near: Trajectory) -> tuple[np.ndarra
     xi1 = psi1_inverse(np.clip(y2, low, high), bounds)
     pitch = psi1(xi1, bounds)
     xi2 = dy2 / pitch.slope
-    v1, v2 = virtual_input(near.rig.thrust(u))
-    ddy1, ddy2 = ratio**2 * alpha1(y1, y2, v1, p), ratio**2 * alpha2(y1, y2, v2, p)
+    _, _, _, ddy1, _, ddy2 = dynamics(x, virtual_input(near.rig.thrust(u)), p)
+    ddy1, ddy2 = ratio**2 * ddy1, ratio**2 * ddy2
     margin = FREE * (near.limits.u_max - near.limits.u_min)
     is_free = ((u > near.limits.u_min + margin) & (u < near.limits.u_max - margin)).all(axis=0)
     is_free &= (low < y2) & (y2 < high)

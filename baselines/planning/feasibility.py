@@ -2,7 +2,7 @@
 
 import math
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -35,6 +35,7 @@ class TimeLimit:
     maneuver: Maneuver
     seconds: float
     end: float
+    rejected: list[str] = field(default_factory=list)  # why plans that were found did not pass the check
 
     def check(self) -> None:
         """Raises InfeasibleManeuver when the time is over."""
@@ -55,10 +56,11 @@ def start_clock(maneuver: Maneuver, time_limit: float | None) -> TimeLimit:
     return TimeLimit(maneuver, seconds, time.perf_counter() + seconds)
 
 
-def infeasible(maneuver: Maneuver, shortest: Trajectory | None) -> InfeasibleManeuver:
-    """What to say of a maneuver, given the shortest plan of the same that was found."""
+def infeasible(maneuver: Maneuver, shortest: Trajectory | None, clock: TimeLimit) -> InfeasibleManeuver:
+    """The refusal of a maneuver, given the shortest plan of the same that was found."""
     if shortest is None:
-        return InfeasibleManeuver(f"no plan for {maneuver}, nor for the same in any other time")
+        reason = f": {clock.rejected[-1]}" if clock.rejected else "; the search found none in other durations either"
+        return InfeasibleManeuver(f"no plan found for {maneuver}{reason}")
     (low, high), (pitch_low, pitch_high) = maneuver.limits.u, maneuver.limits.pitch
     pitch = max(shortest.x[4].max() / pitch_high, shortest.x[4].min() / pitch_low)
     shares = {
@@ -76,20 +78,30 @@ def infeasible(maneuver: Maneuver, shortest: Trajectory | None) -> InfeasibleMan
     )
 
 
-def validated(maneuver: Maneuver, trajectory: Trajectory | None) -> Trajectory | None:
-    """The trajectory if it keeps what `plan` promises, found by replaying its voltages through (3)."""
+def validated(maneuver: Maneuver, trajectory: Trajectory | None, clock: TimeLimit | None = None) -> Trajectory | None:
+    """The trajectory if it keeps what `plan` promises; else None, and the clock notes why."""
+    fault = None if trajectory is None else fault_of(maneuver, trajectory)
+    if fault is not None and clock is not None:
+        clock.rejected.append(fault)
+    return trajectory if fault is None else None
+
+
+def fault_of(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
+    """The promise of `plan` that a trajectory breaks, found by replaying it through (3); None if it keeps all."""
     from heli_gym.baselines.planning.replay import replay  # compiles, or loads what was compiled before
 
-    if trajectory is None:
-        return None
     limits = maneuver.limits
-
-    def within(values: np.ndarray, bounds: tuple[float, float]) -> bool:
-        return bounds[0] - LIMIT_TOLERANCE <= values.min() and values.max() <= bounds[1] + LIMIT_TOLERANCE
-
-    if not (within(trajectory.u, limits.u) and within(trajectory.x[4], limits.pitch)):
-        return None
     v = np.stack(virtual_input(maneuver.rig.thrust(trajectory.u)))
     end, *pitch = replay(trajectory.x[:, 0], v, trajectory.duration, maneuver.parameters)
-    arrives = np.abs(end - trajectory.x[:, -1]).max() <= ARRIVAL_TOLERANCE
-    return trajectory if arrives and within(np.array(pitch), limits.pitch) else None
+    miss = np.abs(end - trajectory.x[:, -1]).max()
+    if not miss <= ARRIVAL_TOLERANCE:
+        return f"the plan, replayed, misses the goal by {miss:.2g} rad or rad/s"
+    for name, unit, values, (low, high) in (
+        ("voltages", "V", trajectory.u, limits.u),
+        ("pitch", "rad", trajectory.x[4], limits.pitch),
+        ("replayed pitch", "rad", np.array(pitch), limits.pitch),
+    ):
+        excess = max(low - values.min(), values.max() - high)
+        if excess > LIMIT_TOLERANCE:
+            return f"the plan's {name} exceed their limits by {excess:.2g} {unit}"
+    return None

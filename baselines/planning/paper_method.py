@@ -31,7 +31,7 @@ def plan_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     if trajectory is None:
         trajectory, found = shortened(maneuver, clock)
         if trajectory is None:
-            raise infeasible(maneuver, shortest_checked(maneuver, found, clock))
+            raise infeasible(maneuver, shortest_checked(maneuver, found, clock), clock)
     return trajectory
 
 
@@ -40,20 +40,20 @@ def plan_fastest_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     _, found = shortened(replace(maneuver, duration=SHORTEST), clock)
     fastest = shortest_checked(maneuver, found, clock)
     if fastest is None or fastest.duration > maneuver.duration:
-        raise infeasible(maneuver, fastest)
+        raise infeasible(maneuver, fastest, clock)
     return fastest
 
 
 def plan_by_shooting(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
     """Section III-D by shooting, if that leads to a solution and this passes the check."""
     solution = solve_by_shooting(maneuver, check=clock.check)
-    return validated(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution))
+    return validated(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution), clock)
 
 
 def plan_by_shooting_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
     """The same, straight from a plan of a similar maneuver."""
     solution = solve_near(maneuver, near, clock.check)
-    return validated(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution))
+    return validated(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution), clock)
 
 
 def solve_from_unconstrained(maneuver: Maneuver, clock: TimeLimit | None = None) -> Solution | None:
@@ -109,7 +109,7 @@ def first_solution(maneuver: Maneuver, clock: TimeLimit) -> Solution:
             solution = solve_from_unconstrained(replace(maneuver, duration=duration), clock)
             if solution is not None:
                 return solution
-    raise infeasible(maneuver, None)
+    raise infeasible(maneuver, None, clock)
 
 
 def shortest_checked(maneuver: Maneuver, found: list[Solution], clock: TimeLimit) -> Trajectory | None:
@@ -125,4 +125,4 @@ def checked_solution(maneuver: Maneuver, solution: Solution | None, clock: TimeL
     """The trajectory of a solution of (38), refined, if it passes the check."""
     problem = ConstrainedProblem(maneuver, clock.check)
     fine = solution and problem.solve(solution, FINE)
-    return validated(maneuver, fine and problem.trajectory(fine))
+    return validated(maneuver, fine and problem.trajectory(fine), clock)

@@ -147,22 +147,22 @@ def auto_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Traject
 
 def spline_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
     """The smoothest spline from a plan of a similar maneuver, if that leads anywhere."""
-    return validated(maneuver, spline.plan_near(maneuver, near))
+    return validated(maneuver, spline.plan_near(maneuver, near), clock)
 
 
 def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """The smoothest spline from a plain guess, or else from the fastest one, if that is fast enough."""
-    trajectory = validated(maneuver, spline.plan_smoothest(maneuver))
+    trajectory = validated(maneuver, spline.plan_smoothest(maneuver), clock)
     if trajectory is not None:
         return trajectory
     fastest, _ = fastest_spline(maneuver, clock)
     if fastest.duration <= maneuver.duration:
-        trajectory = validated(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check))
+        trajectory = validated(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check), clock)
         if trajectory is not None:
             return trajectory
     for margin in MARGINS:
         longer = replace(maneuver, duration=(1.0 + margin) * max(fastest.duration, maneuver.duration))
-        if validated(longer, spline.plan_lengthened(longer, fastest, clock.check)) is not None:
+        if validated(longer, spline.plan_lengthened(longer, fastest, clock.check), clock) is not None:
             raise InfeasibleManeuver(
                 f"no plan for {maneuver}; the shortest found takes {longer.duration:.2f} s: "
                 f"{binding_limits(longer, fastest)}",
@@ -193,9 +193,9 @@ def fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> tuple[spline.Spline,
         if found is None:
             break
         fastest, trajectory = found[0], replace(found[1], limits=limits)
-        if validated(replace(maneuver, duration=fastest.duration), trajectory) is not None:
+        if validated(replace(maneuver, duration=fastest.duration), trajectory, clock) is not None:
             return fastest, trajectory
-    raise InfeasibleManeuver(f"no plan for {maneuver}, nor for the same in any other time")
+    raise infeasible(maneuver, None, clock)
 
 
 def binding_limits(maneuver: Maneuver, fastest: spline.Spline) -> str:
@@ -217,9 +217,9 @@ def binding_limits(maneuver: Maneuver, fastest: spline.Spline) -> str:
 
 def plan_flat(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Polynomials in the flat outputs."""
-    trajectory = validated(maneuver, flat_trajectory(maneuver))
+    trajectory = validated(maneuver, flat_trajectory(maneuver), clock)
     if trajectory is None:
-        raise infeasible(maneuver, flat_above(maneuver, maneuver.duration, clock))
+        raise infeasible(maneuver, flat_above(maneuver, maneuver.duration, clock), clock)
     return trajectory
 
 
@@ -227,7 +227,7 @@ def plan_fastest_flat(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Polynomials in the flat outputs, as fast as the limits permit."""
     fastest = flat_above(maneuver, 0.0, clock)
     if fastest is None or fastest.duration > maneuver.duration:
-        raise infeasible(maneuver, fastest)
+        raise infeasible(maneuver, fastest, clock)
     return fastest
 
 
@@ -237,7 +237,7 @@ def flat_above(maneuver: Maneuver, shortest: float, clock: TimeLimit) -> Traject
     def attempt(duration: float) -> Trajectory | None:
         clock.check()
         longer = replace(maneuver, duration=duration)
-        return validated(longer, flat_trajectory(longer))
+        return validated(longer, flat_trajectory(longer), clock)
 
     slow, best = max(shortest, SHORTEST), None
     for _ in range(ATTEMPTS):
@@ -254,10 +254,10 @@ def flat_above(maneuver: Maneuver, shortest: float, clock: TimeLimit) -> Traject
 
 def plan_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Least effort, by direct collocation."""
-    trajectory = validated(maneuver, collocated_trajectory(maneuver, "effort", clock.left))
+    trajectory = validated(maneuver, collocated_trajectory(maneuver, "effort", clock.left), clock)
     if trajectory is None:
         clock.check()
-        raise infeasible(maneuver, collocated_above(maneuver, clock))
+        raise infeasible(maneuver, collocated_above(maneuver, clock), clock)
     return trajectory
 
 
@@ -265,7 +265,7 @@ def plan_fastest_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory
     """Least time, by direct collocation."""
     fastest = collocated_above(maneuver, clock)
     if fastest is None or fastest.duration > maneuver.duration:
-        raise infeasible(maneuver, fastest)
+        raise infeasible(maneuver, fastest, clock)
     return fastest
 
 
@@ -274,7 +274,7 @@ def collocated_above(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
     easy = replace(maneuver, duration=max(maneuver.duration, spline.easy_duration(maneuver)))
     trajectory = collocated_trajectory(easy, "time", clock.left)
     clock.check()
-    return trajectory and validated(replace(maneuver, duration=trajectory.duration), trajectory)
+    return trajectory and validated(replace(maneuver, duration=trajectory.duration), trajectory, clock)
 
 
 METHODS: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {

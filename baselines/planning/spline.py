@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from heli_gym.baselines.paper.boundary_value import RISE, sample_times
+from heli_gym.baselines.paper.normal_form import travel_damping
 from heli_gym.trajectory import Maneuver, Trajectory
 
 SEGMENTS = (30, 60)  # of the splines: few are faster and smoother, and for the shortest times there must be more
@@ -92,32 +93,35 @@ def optimise(
     maneuver, start, thrusts, duration, roughness, time_weight, barrier, last_barrier, iterations
 ) -> Spline | None:
     """One run of the interior-point method, within bounds of the thrusts in N; None if it does not converge."""
-    from heli_gym.baselines.planning.spline_kernel import solve  # compiles, or loads what was compiled before
+    from heli_gym.baselines.planning.spline_kernel import compiled, run  # compiles, or loads what was compiled before
 
     p, segments = maneuver.parameters, len(start.coefficients) - REST
     # the integral of the squared rates of v1 and v2 that accelerate the outputs, by differences
     rates = roughness * np.array([p.b2, p.b3]) ** -2.0 * duration / segments * (segments / duration) ** 6
-    converged, _, coefficients, s, multipliers = solve(
+    points, free = 2 * (3 * segments + 1), segments - REST
+    low, high = (
+        np.concatenate((np.full(points, thrust), np.full(free, pitch)))
+        for thrust, pitch in zip(thrusts, maneuver.limits.pitch)
+    )
+    converged, _, coefficients, s, multipliers = compiled(run)(
         start.coefficients,
         duration**-2.0,
-        maneuver.goal[0] - maneuver.start[0],
-        thrusts,
-        maneuver.limits.pitch,
-        model_of(maneuver),
-        rates,
-        time_weight,
+        (0.0, 0.0, 0.0, maneuver.goal[0] - maneuver.start[0], travel_damping(p)),
+        low,
+        high,
+        np.zeros((0, 2), np.int64),
+        np.zeros((2, 0)),
+        p,
+        ((rates[0], rates[1]), time_weight, 0.0, 0.0),
+        time_weight > 0.0,
         barrier,
         last_barrier,
         TOLERANCE,
         iterations,
     )
+    sums = [part.sum() for row in multipliers for part in (row[:points], row[points:])]
+    multipliers = np.array([sums[0], sums[2], sums[1], sums[3]])
     return Spline(coefficients, s**-0.5 if time_weight else duration, multipliers) if converged else None
-
-
-def model_of(maneuver: Maneuver) -> tuple[float, ...]:
-    """The coefficients of (3)."""
-    p = maneuver.parameters
-    return p.a1, p.a2, p.a3, p.b1, p.b2, p.b3
 
 
 def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -> tuple[Spline, Trajectory] | None:
@@ -138,17 +142,25 @@ def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -
 
 def sampled(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Times (K,), states (6, K) and thrusts (2, K) of a spline."""
-    from heli_gym.baselines.planning.spline_kernel import interpolate, thrusts_along
+    from heli_gym.baselines.planning.spline_kernel import compiled, interpolate, thrusts_along
 
     T = spline.duration
     t = sample_times(replace(maneuver, duration=T))
-    y, (dy1, dy2), ddy = interpolate(spline.coefficients, T, len(t))
-    f, acceleration = thrusts_along(y, ddy, model_of(maneuver))
+    y, dy, ddy = compiled(interpolate)(spline.coefficients, T, len(t))
+    (dy1, dy2), damping = dy, travel_damping(maneuver.parameters)
+    f, acceleration = compiled(thrusts_along)(y, dy, ddy, maneuver.parameters)
     h = t[1]
-    # linear in between, which at this period is exact to 1e-7
+    # what the travel would do but for its damping is linear in between, which at this period is exact to 1e-7
+    growth = np.exp(damping * t)
+    acceleration = growth * acceleration
     deta, eta = np.zeros(len(t)), np.full(len(t), maneuver.start[0])
     np.cumsum(0.5 * h * (acceleration[:-1] + acceleration[1:]), out=deta[1:])
-    eta[1:] += np.cumsum(h * deta[:-1] + h**2 / 6.0 * (2.0 * acceleration[:-1] + acceleration[1:]))
+    if damping:
+        deta /= growth
+        slope = acceleration / growth - damping * deta
+        eta[1:] += np.cumsum(0.5 * h * (deta[:-1] + deta[1:]) + h**2 / 12.0 * (slope[:-1] - slope[1:]))
+    else:
+        eta[1:] += np.cumsum(h * deta[:-1] + h**2 / 6.0 * (2.0 * acceleration[:-1] + acceleration[1:]))
     x = np.stack((eta, deta, y[0], dy1, y[1], dy2))
     for k, (travel, elevation) in ((0, maneuver.start), (-1, maneuver.goal)):
         x[:, k] = travel, 0.0, elevation, 0.0, 0.0, 0.0

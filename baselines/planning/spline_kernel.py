@@ -1,20 +1,33 @@
 """The interior-point method behind `heli_gym.baselines.planning.spline`, compiled.
 
 Unknown are the coefficients c (M, 2) of elevation and pitch, but the first and last three, and, if the duration is
-free, s = 1/T². The travel's two quadratures E are the only equations; the fans' thrusts f at K points and the pitch
-coefficients have bounds. In the order of the knots, the normal equations are banded, but for a border of three: s and
-the multipliers of the two equations.
+free, s = 1/T². The travel's two quadratures E are the only equations; the fans' thrusts f at K points, the pitch
+coefficients and further rows have bounds. In the order of the knots, the normal equations are banded, but for a border
+of three: s and the multipliers of the two equations. Rows on the travel, which depends on all that was before, fill the
+band.
+
+All that is of the helicopter comes from `heli_gym.model`: values by `inverse_dynamics` and `dynamics`, first
+derivatives by dual numbers, second ones by differences of these. The travel may decay by itself, at a constant rate.
 """
 
 import math
+from collections.abc import Callable
+from functools import cache
 
 import numpy as np
-from numba import njit
+
+from heli_gym.baselines.paper.jacobian import STEP, dual_cos, dual_sin
+from heli_gym.compilation import Compiler
+from heli_gym.model import dynamics, inverse_dynamics
 
 BAND = 8  # diagonals of the lower triangle: four coefficients of two outputs meet in a segment
+DIFFERENCE = 3e-5  # rad, of elevation and pitch, for second derivatives
 INNER = 0.5 / math.sqrt(5.0)
 POINTS = (0.0, 0.5 - INNER, 0.5 + INNER)  # Lobatto's, of a segment; its fourth is the first of the next
 WEIGHTS = (1.0 / 6.0, 5.0 / 12.0, 5.0 / 12.0)  # of the quadrature, at a knot the shares of both segments
+SHARES = (1.0 / 12.0, 5.0 / 12.0, 5.0 / 12.0, 1.0 / 12.0)  # the same, of one segment
+KNOT = (1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0)  # values of the splines at a knot
+ELEVATION, ELEVATION_RATE, TRAVEL_RATE, FLOOR = 0, 1, 2, 3  # kinds of rows; the first two by coefficients, else knots
 THIRD = (-1.0, 3.0, -3.0, 1.0)  # third difference
 CLOSEST = 0.02  # share of the distance between its bounds that a guess keeps from them
 TO_BOUNDARY = 0.99  # share of the way to a bound that a step may go
@@ -24,150 +37,280 @@ DAMPING, MOST_DAMPING = 1e-6, 1e12  # additions to the diagonal where the Hessia
 SINGULAR, TINY = 1e-14, 1e-300  # what counts as zero: pivots of the factorisation, steps
 
 
-@njit(cache=True)
 def basis(u):
-    """Uniform cubic B-splines on a segment, u in [0, 1]: four values, four second derivatives by u."""
+    """Uniform cubic B-splines on a segment, u in [0, 1]: four values, first and second derivatives by u."""
     w = 1.0 - u
     return (
         (w**3 / 6.0, (3.0 * u**3 - 6.0 * u**2 + 4.0) / 6.0, (3.0 * w**3 - 6.0 * w**2 + 4.0) / 6.0, u**3 / 6.0),
+        (-0.5 * w**2, 1.5 * u**2 - 2.0 * u, 0.5 + u - 1.5 * u**2, 0.5 * u**2),
         (w, 3.0 * u - 2.0, 1.0 - 3.0 * u, u),
     )
 
 
-@njit(cache=True)
 def tables(segments):
-    """Of all K points: values and second derivatives by tau (K, 4), first coefficient, tau and weight (K,)."""
+    """Of all K points: values, first and second derivatives by tau (K, 3, 4), first coefficient, tau, weight (K,)."""
     count = 3 * segments + 1
-    B, ddB = np.empty((count, 4)), np.empty((count, 4))
+    B = np.empty((count, 3, 4))
     first, tau, weight = np.empty(count, np.int64), np.empty(count), np.empty(count)
     for p in range(count):
         first[p] = min(p // 3, segments - 1)
         u = POINTS[p % 3] if p < count - 1 else 1.0
-        value, curvature = basis(u)
+        value, slope, curvature = basis(u)
         for i in range(4):
-            B[p, i], ddB[p, i] = value[i], segments**2 * curvature[i]
+            B[p, 0, i], B[p, 1, i], B[p, 2, i] = value[i], segments * slope[i], segments**2 * curvature[i]
         tau[p] = (first[p] + u) / segments
         weight[p] = WEIGHTS[p % 3] / segments
     weight[0] = weight[count - 1] = 1.0 / (12.0 * segments)
-    return B, ddB, first, tau, weight
+    return B, first, tau, weight
 
 
-@njit(cache=True)
-def outputs(c, B, ddB, first, p):
-    """Elevation, pitch, and their second derivatives by tau, at a point."""
-    y1 = y2 = d1 = d2 = 0.0
-    for i in range(4):
-        c1, c2 = c[first[p] + i, 0], c[first[p] + i, 1]
-        y1 += B[p, i] * c1
-        y2 += B[p, i] * c2
-        d1 += ddB[p, i] * c1
-        d2 += ddB[p, i] * c2
-    return y1, y2, d1, d2
+def outputs(c, root, B, first, p, z):
+    """Fills in z (6,): elevation and pitch at a point, each with its first two derivatives by time; root is 1/T."""
+    for o in range(2):
+        y = dy = ddy = 0.0
+        for i in range(4):
+            value = c[first[p] + i, o]
+            y += B[p, 0, i] * value
+            dy += B[p, 1, i] * value
+            ddy += B[p, 2, i] * value
+        z[3 * o], z[3 * o + 1], z[3 * o + 2] = y, root * dy, root**2 * ddy
 
 
-@njit(cache=True)
-def inverse_dynamics(y1, y2, A1, A2, model):
-    """Equations (13), (14a): the thrusts of both fans and the travel's second derivative."""
-    a1, a2, a3, b1, b2, b3 = model
-    excess = A1 - a1 * math.sin(y1) - a2 * math.cos(y1)
-    v1 = excess / (b2 * math.cos(y2))
-    v2 = (A2 - a3 * math.cos(y1) * math.sin(y2)) / b3
-    return 0.5 * (v1 + v2), 0.5 * (v1 - v2), b1 / b2 * math.tan(y2) * excess * math.cos(y1)
+def invert(y1, dy1, ddy1, y2, dy2, ddy2, parameters, sin, cos):
+    """The inputs v1 and v2, and the travel's second derivative were it at rest, by (13) and (14a)."""
+    x = 0.0, 0.0, y1, dy1, y2, dy2
+    v = inverse_dynamics(x, ddy1, ddy2, parameters, sin, cos)
+    return v[0], v[1], dynamics(x, v, parameters, sin, cos)[1]
 
 
-@njit(cache=True)
-def derivatives(y1, y2, A1, model, D, H):
-    """Fills in first derivatives D (3, 4) and second ones H (3, 4, 4), lower triangle, of (v1, v2, ddeta).
+def dual_column(y1, dy1, ddy1, y2, dy2, ddy2, j, parameters):
+    """Derivatives (3,) of `invert` by the j-th of its six arguments."""
+    v1, v2, ddeta = invert(
+        complex(y1, STEP if j == 0 else 0.0),
+        complex(dy1, STEP if j == 1 else 0.0),
+        complex(ddy1, STEP if j == 2 else 0.0),
+        complex(y2, STEP if j == 3 else 0.0),
+        complex(dy2, STEP if j == 4 else 0.0),
+        complex(ddy2, STEP if j == 5 else 0.0),
+        parameters,
+        dual_sin,
+        dual_cos,
+    )
+    return (v1 + 0j).imag / STEP, (v2 + 0j).imag / STEP, (ddeta + 0j).imag / STEP
 
-    They are by (y1, A1, y2, A2), A1 and A2 being the second derivatives of y1 and y2. What vanishes is left alone.
+
+def gradients(y1, dy1, ddy1, y2, dy2, ddy2, parameters):
+    """All six columns of `dual_column`: (6, 3)."""
+    return (
+        dual_column(y1, dy1, ddy1, y2, dy2, ddy2, 0, parameters),
+        dual_column(y1, dy1, ddy1, y2, dy2, ddy2, 1, parameters),
+        dual_column(y1, dy1, ddy1, y2, dy2, ddy2, 2, parameters),
+        dual_column(y1, dy1, ddy1, y2, dy2, ddy2, 3, parameters),
+        dual_column(y1, dy1, ddy1, y2, dy2, ddy2, 4, parameters),
+        dual_column(y1, dy1, ddy1, y2, dy2, ddy2, 5, parameters),
+    )
+
+
+def derivatives(z, parameters, D, H):
+    """Fills in first derivatives D (3, 6) and second ones H (3, 6, 6) of `invert` at z (6,).
+
+    The second derivatives are those by an angle and anything else; (3) is affine in accelerations and rates.
     """
-    a1, a2, a3, b1, b2, b3 = model
-    s1, c1, s2, c2 = math.sin(y1), math.cos(y1), math.sin(y2), math.cos(y2)
-    t = s2 / c2
-    squared = 1.0 + t * t
-    lift, slope = a1 * s1 + a2 * c1, a1 * c1 - a2 * s1
-    excess, k, ratio = A1 - lift, 1.0 / (b2 * c2), b1 / b2
-    turn = -s1 * excess - c1 * slope
-    D[0, 0], D[0, 1], D[0, 2] = -slope * k, k, excess * k * t
-    D[1, 0], D[1, 2], D[1, 3] = a3 * s1 * s2 / b3, -a3 * c1 * c2 / b3, 1.0 / b3
-    D[2, 0], D[2, 1], D[2, 2] = ratio * t * turn, ratio * t * c1, ratio * squared * c1 * excess
-    H[0, 0, 0], H[0, 2, 0], H[0, 2, 1], H[0, 2, 2] = lift * k, -slope * k * t, k * t, excess * k * (1.0 + 2.0 * t * t)
-    H[1, 0, 0], H[1, 2, 0], H[1, 2, 2] = a3 * c1 * s2 / b3, a3 * s1 * c2 / b3, a3 * c1 * s2 / b3
-    H[2, 0, 0], H[2, 1, 0] = ratio * t * (c1 * lift - c1 * excess + 2.0 * s1 * slope), -ratio * t * s1
-    H[2, 2, 0], H[2, 2, 1] = ratio * squared * turn, ratio * squared * c1
-    H[2, 2, 2] = 2.0 * ratio * t * squared * c1 * excess
+    y1, dy1, ddy1, y2, dy2, ddy2 = z[0], z[1], z[2], z[3], z[4], z[5]
+    d, h = DIFFERENCE, 0.5 / DIFFERENCE
+    here = gradients(y1, dy1, ddy1, y2, dy2, ddy2, parameters)
+    low1, high1 = (
+        gradients(y1 - d, dy1, ddy1, y2, dy2, ddy2, parameters),
+        gradients(y1 + d, dy1, ddy1, y2, dy2, ddy2, parameters),
+    )
+    low2, high2 = (
+        gradients(y1, dy1, ddy1, y2 - d, dy2, ddy2, parameters),
+        gradients(y1, dy1, ddy1, y2 + d, dy2, ddy2, parameters),
+    )
+    for a in range(6):
+        for i in range(3):
+            D[i, a] = here[a][i]
+            H[i, 0, a] = H[i, a, 0] = h * (high1[a][i] - low1[a][i])
+    for a in range(6):
+        for i in range(3):
+            H[i, 3, a] = H[i, a, 3] = h * (high2[a][i] - low2[a][i])
 
 
-@njit(cache=True)
-def evaluate(c, s, travel, smooth, time_weight, model, points, f):
-    """Fills in the thrusts f (2 K,); returns the objective and the two equations that the travel must meet."""
-    B, ddB, first, tau, weight = points
-    e1, e2 = 0.0, -travel * s
+def arrival(left, damping):
+    """What an acceleration leaves of the travel rate, and adds to the travel in s, a time left in s later."""
+    decay = math.exp(-damping * left)
+    return decay, (1.0 - decay) / damping if damping > 0.0 or damping < 0.0 else left
+
+
+def travel_along(r, s, travel, points, rates, angles):
+    """Fills in the travel's rates and angles (S + 1,) at the knots, of accelerations r (K,) at the points.
+
+    travel: rate and angle at the start, those at the goal, and the damping.
+    """
+    _, _, tau, _ = points
+    T, segments, damping = 1.0 / math.sqrt(s), len(rates) - 1, travel[4]
+    keep, carry = arrival(T / segments, damping)
+    rates[0], angles[0] = travel[0], travel[1]
+    for j in range(segments):
+        rates[j + 1], angles[j + 1] = keep * rates[j], angles[j] + carry * rates[j]
+        for q in range(4):
+            p = 3 * j + q
+            decay, advance = arrival(T * ((j + 1.0) / segments - tau[p]), damping)
+            weight = T * SHARES[q] / segments * r[p]
+            rates[j + 1] += weight * decay
+            angles[j + 1] += weight * advance
+
+
+def floor_at(angle, floor):
+    """The floor's elevation at a travel, and its slope, linear in between and level outside; floor is (2, N)."""
+    last = floor.shape[1] - 1
+    if not floor[0, 0] < angle < floor[0, last]:
+        return floor[1, 0 if angle <= floor[0, 0] else last], 0.0
+    k = np.searchsorted(floor[0], angle) - 1
+    slope = (floor[1, k + 1] - floor[1, k]) / (floor[0, k + 1] - floor[0, k])
+    return floor[1, k] + slope * (angle - floor[0, k]), slope
+
+
+def evaluate(c, s, travel, weights, parameters, points, rows, floor, f, r, knots, h):
+    """Fills in thrusts f (2 K,), accelerations r (K,) and rows h (R,); returns objective and the travel's equations."""
+    B, first, tau, weight = points
+    smooth, time_weight, effort, hover = weights
+    root = math.sqrt(s)
+    T, damping = 1.0 / root, travel[4]
+    decay, advance = arrival(T, damping)
+    e1 = root * (travel[0] * decay - travel[2])
+    e2 = s * (travel[1] + travel[0] * advance - travel[3])
+    objective, z = -0.5 * time_weight * math.log(s), np.empty(6)
     for p in range(len(tau)):
-        y1, y2, d1, d2 = outputs(c, B, ddB, first, p)
-        f[2 * p], f[2 * p + 1], ddeta = inverse_dynamics(y1, y2, s * d1, s * d2, model)
-        e1 += weight[p] * ddeta
-        e2 += weight[p] * (1.0 - tau[p]) * ddeta
-    objective = -0.5 * time_weight * math.log(s)
+        outputs(c, root, B, first, p, z)
+        v1, v2, r[p] = invert(z[0], z[1], z[2], z[3], z[4], z[5], parameters, math.sin, math.cos)
+        f[2 * p], f[2 * p + 1] = 0.5 * (v1 + v2), 0.5 * (v1 - v2)
+        decay, advance = arrival(T * (1.0 - tau[p]), damping)
+        e1 += weight[p] * decay * r[p]
+        e2 += weight[p] * root * advance * r[p]
+        if effort > 0.0:
+            objective += 0.5 * effort * weight[p] * ((f[2 * p] - hover) ** 2 + (f[2 * p + 1] - hover) ** 2)
     for j in range(len(c) - 3):
         for o in range(2):
             objective += 0.5 * smooth[o] * (c[j + 3, o] - c[j, o] + 3.0 * (c[j + 1, o] - c[j + 2, o])) ** 2
+    if len(h) > 0:
+        rates, angles = knots[0], knots[1]
+        travel_along(r, s, travel, points, rates, angles)
+        for n in range(len(h)):
+            kind, k = rows[n, 0], rows[n, 1]
+            if kind == ELEVATION:
+                h[n] = c[k, 0]
+            elif kind == ELEVATION_RATE:
+                h[n] = (len(c) - 3) * root * (c[k + 1, 0] - c[k, 0])
+            elif kind == TRAVEL_RATE:
+                h[n] = rates[k]
+            elif kind == FLOOR:
+                h[n] = (c[k, 0] + 4.0 * c[k + 1, 0] + c[k + 2, 0]) / 6.0 - floor_at(angles[k], floor)[0]
     return objective, e1, e2
 
 
-@njit(cache=True)
-def assemble(c, s, y, stiffness, lam1, lam2, travel, smooth, time_weight, model, points, F, M, G, g):
-    """The Hessian of the Lagrangian, the stiffness of the thrusts' barrier included, and the first derivatives.
+def assemble(
+    c, s, y, stiffness, lam1, lam2, travel, weights, parameters, points, rows, floor, f, r, knots, F, M, G, g, J
+):
+    """The Hessian of the Lagrangian, the stiffness of the barrier of thrusts and rows included, and first derivatives.
 
-    Fills in the thrusts' gradients F (2 K, 4) by (y1, A1, y2, A2), the Hessian's lower band M (N, BAND) by the
-    coefficients, its border G (N, 3) with the gradients of the two equations, and the objective's gradient g (N,).
-    Returns by s: the second derivative, and the first ones of the equations.
+    Fills in the thrusts' gradients F (2 K, 6) by `invert`'s arguments, the Hessian's lower band M (N, band) by the
+    coefficients, its border G (N, 3) with the gradients of the two equations, the objective's gradient g (N,) and the
+    rows' J (R, N + 1), the last column by s. Returns by s: the objective's first derivative but for the duration, the
+    second derivative, and the first ones of the equations.
     """
-    B, ddB, first, tau, weight = points
-    unknowns = len(g)
+    B, first, tau, weight = points
+    smooth, time_weight, effort, hover = weights
+    unknowns, count, segments = len(g), len(tau), len(c) - 3
+    root = math.sqrt(s)
+    T, damping = 1.0 / root, travel[4]
     M[:] = 0.0
     G[:] = 0.0
     g[:] = 0.0
-    D, H, L, Q, mixed = np.zeros((3, 4)), np.zeros((3, 4, 4)), np.zeros((4, 4)), np.zeros((8, 4)), np.zeros(4)
-    ss, es1, es2 = 0.5 * time_weight / s**2, 0.0, -travel
-    for p in range(len(tau)):
-        y1, y2, d1, d2 = outputs(c, B, ddB, first, p)
-        derivatives(y1, y2, s * d1, model, D, H)
-        w1, w2 = weight[p], weight[p] * (1.0 - tau[p])
-        by_v1, by_v2 = 0.5 * (y[2 * p] + y[2 * p + 1]), 0.5 * (y[2 * p] - y[2 * p + 1])
-        by_eta = w1 * lam1 + w2 * lam2
-        for a in range(4):
+    D, H, L, Q = np.zeros((3, 6)), np.zeros((3, 6, 6)), np.zeros((6, 6)), np.zeros((8, 6))
+    z, by_s, by_ss, mixed, pull, along = (
+        np.empty(6),
+        np.zeros(6),
+        np.zeros(6),
+        np.zeros(6),
+        np.zeros(6),
+        np.zeros((3, 4)),
+    )
+    has_rows = len(rows) > 0
+    R, R_s = np.empty((count if has_rows else 0, 8)), np.empty(count if has_rows else 0)
+    on_travel, on_travel_s = np.zeros(count), np.zeros(count)
+    if has_rows:
+        pull_on_travel(y[2 * count + segments - 3 :], s, travel, points, rows, floor, knots, on_travel, on_travel_s)
+    ss, gs = 0.5 * time_weight / s**2, 0.0
+    decay, advance = arrival(T, damping)
+    es1 = (travel[0] * decay * (1.0 + damping * T) - travel[2]) * 0.5 / root
+    es2 = travel[1] - travel[3] + travel[0] * (advance - 0.5 * T * decay)
+    ss -= lam1 * (travel[0] - travel[2]) * 0.25 / (s * root) + lam2 * 0.25 * travel[0] / (s * root)
+    for p in range(count):
+        outputs(c, root, B, first, p, z)
+        derivatives(z, parameters, D, H)
+        left = T * (1.0 - tau[p])
+        decay, advance = arrival(left, damping)
+        w1, w2 = weight[p] * decay, weight[p] * root * advance
+        w1_s, w2_s = 0.5 * damping * left * w1 / s, 0.5 * (w2 - weight[p] * decay * (1.0 - tau[p])) / s
+        push_f, push_b = effort * weight[p] * (f[2 * p] - hover), effort * weight[p] * (f[2 * p + 1] - hover)
+        y_f, y_b = y[2 * p] + push_f, y[2 * p + 1] + push_b
+        stiff_f, stiff_b = stiffness[2 * p] + effort * weight[p], stiffness[2 * p + 1] + effort * weight[p]
+        by_v1, by_v2 = 0.5 * (y_f + y_b), 0.5 * (y_f - y_b)
+        by_eta, by_eta_s = w1 * lam1 + w2 * lam2 + on_travel[p], w1_s * lam1 + w2_s * lam2 + on_travel_s[p]
+        for a in range(6):
             F[2 * p, a], F[2 * p + 1, a] = 0.5 * (D[0, a] + D[1, a]), 0.5 * (D[0, a] - D[1, a])
-        for a in range(4):
+        for a in range(6):
             for b in range(a + 1):
                 L[a, b] = (
                     by_v1 * H[0, a, b]
                     + by_v2 * H[1, a, b]
                     + by_eta * H[2, a, b]
-                    + stiffness[2 * p] * F[2 * p, a] * F[2 * p, b]
-                    + stiffness[2 * p + 1] * F[2 * p + 1, a] * F[2 * p + 1, b]
+                    + stiff_f * F[2 * p, a] * F[2 * p, b]
+                    + stiff_b * F[2 * p + 1, a] * F[2 * p + 1, b]
                 )
                 L[b, a] = L[a, b]
-        for a in range(4):  # A1 = s d1 and A2 = s d2 depend on s
-            mixed[a] = L[a, 1] * d1 + L[a, 3] * d2
-        ss += mixed[1] * d1 + mixed[3] * d2
-        es1 += w1 * D[2, 1] * d1
-        es2 += w2 * D[2, 1] * d1
-        slopes = by_v1 * D[0, 1] + by_eta * D[2, 1], by_v2 * D[1, 3]
+        # rates are proportional to the root of s, accelerations to s
+        by_s[1], by_s[2], by_s[4], by_s[5] = 0.5 * z[1] / s, z[2] / s, 0.5 * z[4] / s, z[5] / s
+        by_ss[1], by_ss[4] = -0.25 * z[1] / s**2, -0.25 * z[4] / s**2
+        r_s = 0.0
+        for a in range(6):
+            mixed[a] = 0.0
+            for b in range(6):
+                mixed[a] += L[a, b] * by_s[b]
+            pull[a] = by_v1 * D[0, a] + by_v2 * D[1, a] + by_eta * D[2, a]
+            r_s += D[2, a] * by_s[a]
+        for a in range(6):
+            ss += mixed[a] * by_s[a] + pull[a] * by_ss[a]
+            gs += (push_f * F[2 * p, a] + push_b * F[2 * p + 1, a]) * by_s[a]
+        ss += 2.0 * by_eta_s * r_s
+        es1 += w1 * r_s + w1_s * r[p]
+        es2 += w2 * r_s + w2_s * r[p]
+        if has_rows:
+            R_s[p] = r_s
+        for i in range(4):
+            along[0, i], along[1, i], along[2, i] = B[p, 0, i], root * B[p, 1, i], s * B[p, 2, i]
         base = 2 * (first[p] - 3)
         for i in range(8):  # coefficient i // 2 of output i % 2
-            n, o, value, curvature = base + i, 2 * (i % 2), B[p, i // 2], ddB[p, i // 2]
+            n, o, k = base + i, 3 * (i % 2), i // 2
+            by_c = along[0, k], along[1, k], along[2, k]
+            eta = by_c[0] * D[2, o] + by_c[1] * D[2, o + 1] + by_c[2] * D[2, o + 2]
+            if has_rows:
+                R[p, i] = eta
             if 0 <= n < unknowns:
-                for a in range(4):
-                    Q[i, a] = value * L[o, a] + s * curvature * L[o + 1, a]
-                eta = value * D[2, o] + s * curvature * D[2, o + 1]
-                G[n, 0] += value * mixed[o] + s * curvature * mixed[o + 1] + curvature * slopes[i % 2]
+                for a in range(6):
+                    Q[i, a] = by_c[0] * L[o, a] + by_c[1] * L[o + 1, a] + by_c[2] * L[o + 2, a]
+                G[n, 0] += by_c[0] * mixed[o] + by_c[1] * mixed[o + 1] + by_c[2] * mixed[o + 2]
+                G[n, 0] += 0.5 * by_c[1] / s * pull[o + 1] + by_c[2] / s * pull[o + 2] + by_eta_s * eta
                 G[n, 1] += w1 * eta
                 G[n, 2] += w2 * eta
+                if effort > 0.0:
+                    for a in range(3):
+                        g[n] += by_c[a] * (push_f * F[2 * p, o + a] + push_b * F[2 * p + 1, o + a])
                 for j in range(max(0, -base), i + 1):
-                    oj = 2 * (j % 2)
-                    M[n, i - j] += B[p, j // 2] * Q[i, oj] + s * ddB[p, j // 2] * Q[i, oj + 1]
-    for j in range(len(c) - 3):
+                    oj, kj = 3 * (j % 2), j // 2
+                    M[n, i - j] += along[0, kj] * Q[i, oj] + along[1, kj] * Q[i, oj + 1] + along[2, kj] * Q[i, oj + 2]
+    for j in range(segments):
         for o in range(2):
             third = c[j + 3, o] - c[j, o] + 3.0 * (c[j + 1, o] - c[j + 2, o])
             for i in range(4):
@@ -176,57 +319,154 @@ def assemble(c, s, y, stiffness, lam1, lam2, travel, smooth, time_weight, model,
                     g[n] += smooth[o] * THIRD[i] * third
                     for k in range(max(0, i - n // 2), i + 1):
                         M[n, 2 * (i - k)] += smooth[o] * THIRD[i] * THIRD[k]
-    return ss, es1, es2
+    if has_rows:
+        differentiate_rows(c, s, travel, points, rows, floor, r, R, R_s, knots, J)
+        offset = 2 * count + segments - 3
+        for q in range(len(rows)):
+            stiff = stiffness[offset + q]
+            ss += stiff * J[q, unknowns] ** 2
+            for n in range(unknowns):
+                push = stiff * J[q, n]
+                if push > 0.0 or push < 0.0:
+                    G[n, 0] += push * J[q, unknowns]
+                    for m in range(n + 1):
+                        M[n, n - m] += push * J[q, m]
+    return gs, ss, es1, es2
 
 
-@njit(cache=True)
-def vjp(force, F, c, s, points, g):
-    """Adds to g the gradient of force (2 K,) times the thrusts; returns its derivative by s."""
-    B, ddB, first, tau, _ = points
-    by_s = 0.0
+def pull_on_travel(y, s, travel, points, rows, floor, knots, on_travel, on_travel_s):
+    """Adds the rows' multipliers y (R,) times the derivatives of the travel by its accelerations, and those by s."""
+    _, _, tau, _ = points
+    angles = knots[1]
+    segments, T, damping = len(angles) - 1, 1.0 / math.sqrt(s), travel[4]
+    on_rate, on_angle = np.zeros(segments + 1), np.zeros(segments + 1)
+    for n in range(len(rows)):
+        kind, k = rows[n, 0], rows[n, 1]
+        if kind == TRAVEL_RATE:
+            on_rate[k] += y[n]
+        elif kind == FLOOR:
+            on_angle[k] -= y[n] * floor_at(angles[k], floor)[1]
+    keep, carry = arrival(T / segments, damping)
+    for j in range(segments - 1, -1, -1):
+        for q in range(4):
+            p = 3 * j + q
+            left = T * ((j + 1.0) / segments - tau[p])
+            decay, advance = arrival(left, damping)
+            weight = T * SHARES[q] / segments
+            pull = weight * (on_rate[j + 1] * decay + on_angle[j + 1] * advance)
+            turn = weight * (on_angle[j + 1] * decay - on_rate[j + 1] * damping * decay) * left
+            on_travel[p] += pull
+            on_travel_s[p] -= 0.5 * (pull + turn) / s
+        on_rate[j] += keep * on_rate[j + 1] + carry * on_angle[j + 1]
+        on_angle[j] += on_angle[j + 1]
+
+
+def differentiate_rows(c, s, travel, points, rows, floor, r, R, R_s, knots, J):
+    """Fills in the rows' derivatives J (R, N + 1), given those of the accelerations, R (K, 8) by coefficients, by s."""
+    _, first, tau, _ = points
+    rates, angles = knots[0], knots[1]
+    segments, root, unknowns, damping = len(c) - 3, math.sqrt(s), J.shape[1] - 1, travel[4]
+    T = 1.0 / root
+    J[:] = 0.0
+    by_rate, by_angle = np.zeros((segments + 1, unknowns + 1)), np.zeros((segments + 1, unknowns + 1))
+    keep, carry = arrival(T / segments, damping)
+    T_s = -0.5 * T / s
+    for j in range(segments):
+        for n in range(unknowns + 1):
+            by_rate[j + 1, n] = keep * by_rate[j, n]
+            by_angle[j + 1, n] = by_angle[j, n] + carry * by_rate[j, n]
+        by_rate[j + 1, unknowns] -= T_s * damping / segments * keep * rates[j]
+        by_angle[j + 1, unknowns] += T_s / segments * keep * rates[j]
+        for q in range(4):
+            p = 3 * j + q
+            left = T * ((j + 1.0) / segments - tau[p])
+            decay, advance = arrival(left, damping)
+            share = SHARES[q] / segments
+            base = 2 * (first[p] - 3)
+            for i in range(8):
+                if 0 <= base + i < unknowns:
+                    by_rate[j + 1, base + i] += T * share * decay * R[p, i]
+                    by_angle[j + 1, base + i] += T * share * advance * R[p, i]
+            by_rate[j + 1, unknowns] += share * (T * decay * R_s[p] + T_s * decay * (1.0 - damping * left) * r[p])
+            by_angle[j + 1, unknowns] += share * (T * advance * R_s[p] + T_s * (advance + decay * left) * r[p])
+    for n in range(len(rows)):
+        kind, k = rows[n, 0], rows[n, 1]
+        if kind == ELEVATION:
+            J[n, 2 * (k - 3)] = 1.0
+        elif kind == ELEVATION_RATE:
+            for i in range(2):
+                if 0 <= 2 * (k + i - 3) < unknowns:
+                    J[n, 2 * (k + i - 3)] = segments * root * (2.0 * i - 1.0)
+            J[n, unknowns] = 0.5 * segments / root * (c[k + 1, 0] - c[k, 0])
+        elif kind == TRAVEL_RATE:
+            for m in range(unknowns + 1):
+                J[n, m] = by_rate[k, m]
+        elif kind == FLOOR:
+            slope = floor_at(angles[k], floor)[1]
+            for m in range(unknowns + 1):
+                J[n, m] = -slope * by_angle[k, m]
+            for i in range(3):
+                if 0 <= 2 * (k + i - 3) < unknowns:
+                    J[n, 2 * (k + i - 3)] += KNOT[i]
+
+
+def vjp(force, F, J, c, s, points, g):
+    """Adds to g the gradient of force times the thrusts and the rows; returns its derivative by s."""
+    B, first, tau, _ = points
+    by_s, z, n_ = 0.0, np.empty(6), np.empty(6)
+    root, unknowns = math.sqrt(s), len(g)
     for p in range(len(tau)):
-        _, _, d1, d2 = outputs(c, B, ddB, first, p)
-        n1, a1, n2, a2 = 0.0, 0.0, 0.0, 0.0
-        for k in (2 * p, 2 * p + 1):
-            n1 += force[k] * F[k, 0]
-            a1 += force[k] * F[k, 1]
-            n2 += force[k] * F[k, 2]
-            a2 += force[k] * F[k, 3]
-        by_s += a1 * d1 + a2 * d2
+        outputs(c, root, B, first, p, z)
+        for a in range(6):
+            n_[a] = force[2 * p] * F[2 * p, a] + force[2 * p + 1] * F[2 * p + 1, a]
+        by_s += (0.5 * (n_[1] * z[1] + n_[4] * z[4]) + n_[2] * z[2] + n_[5] * z[5]) / s
         for i in range(4):
             n = 2 * (first[p] + i - 3)
-            if 0 <= n < len(g):
-                g[n] += B[p, i] * n1 + s * ddB[p, i] * a1
-                g[n + 1] += B[p, i] * n2 + s * ddB[p, i] * a2
+            if 0 <= n < unknowns:
+                g[n] += B[p, 0, i] * n_[0] + root * B[p, 1, i] * n_[1] + s * B[p, 2, i] * n_[2]
+                g[n + 1] += B[p, 0, i] * n_[3] + root * B[p, 1, i] * n_[4] + s * B[p, 2, i] * n_[5]
+    offset = len(force) - len(J)
+    for q in range(len(J)):
+        for n in range(unknowns):
+            g[n] += force[offset + q] * J[q, n]
+        by_s += force[offset + q] * J[q, unknowns]
     return by_s
 
 
-@njit(cache=True)
-def jvp(dx, ds, F, c, s, points, df):
-    """Adds to df (2 K,) the change of the thrusts with the coefficients and s."""
-    B, ddB, first, tau, _ = points
+def jvp(dx, ds, F, J, c, s, points, df):
+    """Adds to df the change of the thrusts (2 K,), and of the rows, with the coefficients and s."""
+    B, first, tau, _ = points
+    z, d = np.empty(6), np.empty(6)
+    root, unknowns = math.sqrt(s), len(dx)
     for p in range(len(tau)):
-        _, _, d1, d2 = outputs(c, B, ddB, first, p)
-        n1, a1, n2, a2 = 0.0, ds * d1, 0.0, ds * d2
+        outputs(c, root, B, first, p, z)
+        d[0], d[1], d[2] = 0.0, 0.5 * ds * z[1] / s, ds * z[2] / s
+        d[3], d[4], d[5] = 0.0, 0.5 * ds * z[4] / s, ds * z[5] / s
         for i in range(4):
             n = 2 * (first[p] + i - 3)
-            if 0 <= n < len(dx):
-                n1 += B[p, i] * dx[n]
-                a1 += s * ddB[p, i] * dx[n]
-                n2 += B[p, i] * dx[n + 1]
-                a2 += s * ddB[p, i] * dx[n + 1]
+            if 0 <= n < unknowns:
+                for o in range(2):
+                    d[3 * o] += B[p, 0, i] * dx[n + o]
+                    d[3 * o + 1] += root * B[p, 1, i] * dx[n + o]
+                    d[3 * o + 2] += s * B[p, 2, i] * dx[n + o]
         for k in (2 * p, 2 * p + 1):
-            df[k] += F[k, 0] * n1 + F[k, 1] * a1 + F[k, 2] * n2 + F[k, 3] * a2
+            for a in range(6):
+                df[k] += F[k, a] * d[a]
+    offset = len(df) - len(J)
+    for q in range(len(J)):
+        for n in range(unknowns):
+            df[offset + q] += J[q, n] * dx[n]
+        df[offset + q] += J[q, unknowns] * ds
 
 
-@njit(cache=True)
 def factorise(M, damping, L):
     """Cholesky factor L of the banded M plus damping on its diagonal; whether that is positive definite."""
+    band = M.shape[1]
     for i in range(len(M)):
-        for k in range(min(BAND - 1, i), -1, -1):
+        for k in range(min(band - 1, i), -1, -1):
             j = i - k
             value = M[i, k] + damping if k == 0 else M[i, k]
-            for m in range(max(0, i - BAND + 1), j):
+            for m in range(max(0, i - band + 1), j):
                 value -= L[i, i - m] * L[j, j - m]
             if k > 0:
                 L[i, k] = value / L[j, 0]
@@ -237,25 +477,23 @@ def factorise(M, damping, L):
     return True
 
 
-@njit(cache=True)
 def substitute(L, b):
     """Solves L L' x = b (N, columns) in place."""
-    size = len(L)
+    size, band = L.shape
     for i in range(size):
         for q in range(b.shape[1]):
             value = b[i, q]
-            for k in range(1, min(BAND - 1, i) + 1):
+            for k in range(1, min(band - 1, i) + 1):
                 value -= L[i, k] * b[i - k, q]
             b[i, q] = value / L[i, 0]
     for i in range(size - 1, -1, -1):
         for q in range(b.shape[1]):
             value = b[i, q]
-            for k in range(1, min(BAND - 1, size - 1 - i) + 1):
+            for k in range(1, min(band - 1, size - 1 - i) + 1):
                 value -= L[i + k, k] * b[i + k, q]
             b[i, q] = value / L[i, 0]
 
 
-@njit(cache=True)
 def schur_step(G, columns, g, ss, gs, es, e, fixed):
     """The step of s and the new multipliers (3,), given columns = M^-1 (G, -g); NaN where that does not lead downhill.
 
@@ -292,7 +530,6 @@ def schur_step(G, columns, g, ss, gs, es, e, fixed):
     return border[0], border[1], border[2]
 
 
-@njit(cache=True)
 def newton_step(M, G, g, ss, gs, es, e, fixed, damping, columns, L, dx):
     """Fills in the step dx (N,) of the coefficients; returns that of s, the new multipliers, and the damping it took.
 
@@ -312,7 +549,6 @@ def newton_step(M, G, g, ss, gs, es, e, fixed, damping, columns, L, dx):
     return 0.0, 0.0, 0.0, damping
 
 
-@njit(cache=True)
 def barrier(w, low, high):
     """The sum of -log of the distances of w to its bounds; infinite outside."""
     total = 0.0
@@ -323,7 +559,6 @@ def barrier(w, low, high):
     return total
 
 
-@njit(cache=True)
 def duals(mu, w, low, high, zl, zu, r, y, stiffness, force):
     """Fills in y = zu - zl, the barrier's stiffness, and the force that its Newton step exerts at the residuals r."""
     for k in range(len(w)):
@@ -333,7 +568,6 @@ def duals(mu, w, low, high, zl, zu, r, y, stiffness, force):
         force[k] = mu / above - mu / below + stiffness[k] * r[k]
 
 
-@njit(cache=True)
 def dual_step(mu, w, dw, low, high, zl, zu, dzl, dzu):
     """Fills in the steps of the multipliers; returns the longest steps, at most 1, of w and of the multipliers.
 
@@ -355,7 +589,6 @@ def dual_step(mu, w, dw, low, high, zl, zu, dzl, dzu):
     return primal, dual
 
 
-@njit(cache=True)
 def kkt_residual(mu, w, low, high, zl, zu, r, gradient):
     """What is left of the equations of the bounds, and of stationarity and complementarity, these scaled."""
     missed = residual = total = 0.0
@@ -368,58 +601,83 @@ def kkt_residual(mu, w, low, high, zl, zu, r, gradient):
     return missed, residual / max(1.0, 0.1 * total / len(w))
 
 
-@njit(cache=True)
-def solve(c, s, travel, thrust, pitch, model, smooth, time_weight, mu, last_mu, tolerance, iterations):
-    """Minimises haste log(T) + smoothness, the barrier being lowered from mu to last_mu.
+def solve(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu, last_mu, tolerance, iterations):
+    """Minimises the objective, the barrier being lowered from mu to last_mu.
 
     Args:
-        c, s: the guess, coefficients (M, 2) in rad and 1/T² in 1/s²; s stays if haste is zero.
-        travel: to be travelled, in rad.
-        thrust, pitch: bounds in N and rad.
-        model: a1, a2, a3, b1, b2, b3.
-        smooth: weights (2,) of the squared third differences of the coefficients.
+        c, s: the guess, coefficients (M, 2) in rad, of which three at each end stay, and 1/T² in 1/s².
+        travel: its rate and angle at the start, those at the goal, and its damping: rad/s, rad, rad/s, rad, 1/s.
+        low, high: bounds of thrusts in N (2 K,), pitch coefficients in rad (M - 6,) and rows (R,).
+        rows: kind and index (R, 2) of further quantities with bounds.
+        floor: travel and elevation (2, N) in rad, which rows of this kind refer to.
+        parameters: the helicopter's.
+        weights: of the squared third differences of the coefficients (2,), of the logarithm of the duration, of the
+            mean squared distance of the thrusts from those of hover; and these, in N.
+        is_free: whether s may change.
         tolerance: of equations and bounds in N and rad/s²; optimality is judged by last_mu.
         iterations: at most.
 
     Returns:
-        Whether it converged, the iterations taken, c, s, and the sums of the multipliers of the lower and upper bounds
-        of the thrusts, then of the pitch (4,).
+        Whether it converged, the iterations taken, c, s, and the multipliers of the lower and upper bounds (2, ...).
     """
-    segments, fixed = len(c) - 3, time_weight == 0.0
+    segments, fixed, time_weight = len(c) - 3, not is_free, weights[1]
     points, free = tables(segments), segments - 3
     count, unknowns = 2 * (3 * segments + 1), 2 * free
-    size = count + free
-    low, high, r = np.empty(size), np.empty(size), np.zeros(size)
-    w, dw, new_w = np.empty(size), np.empty(size), np.empty(size)
+    size, offset = len(low), count + free
+    w, dw, new_w, r = np.empty(size), np.empty(size), np.empty(size), np.zeros(size)
     zl, zu, dzl, dzu = np.empty(size), np.empty(size), np.empty(size), np.empty(size)
     y, stiffness, force = np.empty(size), np.empty(size), np.empty(size)
     g, direct, dx = np.empty(unknowns), np.empty(unknowns), np.empty(unknowns)
-    f, F, M, L = np.empty(count), np.empty((count, 4)), np.empty((unknowns, BAND)), np.zeros((unknowns, BAND))
+    f, F, h = np.empty(count), np.empty((count, 6)), np.empty(len(rows))
+    M = np.empty((unknowns, unknowns if len(rows) > 0 else BAND))
+    L, J = np.zeros(M.shape), np.empty((len(rows), unknowns + 1))
     G, columns = np.empty((unknowns, 3)), np.empty((unknowns, 4))
+    acceleration, knots = np.empty(count // 2), np.empty((2, segments + 1))
     c, new_c = c.copy(), c.copy()
-    for k in range(size):
-        low[k], high[k] = thrust if k < count else pitch
     for i in range(free):
-        inside = CLOSEST * (pitch[1] - pitch[0])
-        w[count + i] = c[3 + i, 1] = min(max(c[3 + i, 1], pitch[0] + inside), pitch[1] - inside)
-    objective, e1, e2 = evaluate(c, s, travel, smooth, time_weight, model, points, f)
+        inside = CLOSEST * (high[count + i] - low[count + i])
+        w[count + i] = c[3 + i, 1] = min(max(c[3 + i, 1], low[count + i] + inside), high[count + i] - inside)
+    objective, e1, e2 = evaluate(c, s, travel, weights, parameters, points, rows, floor, f, acceleration, knots, h)
     for k in range(size):
-        if k < count:
-            inside = CLOSEST * (thrust[1] - thrust[0])
-            w[k] = min(max(f[k], thrust[0] + inside), thrust[1] - inside)
+        if k < count or k >= offset:
+            value = f[k] if k < count else h[k - offset]
+            inside = CLOSEST * (high[k] - low[k])
+            w[k] = min(max(value, low[k] + inside), high[k] - inside)
         zl[k], zu[k], r[k] = mu / (w[k] - low[k]), mu / (high[k] - w[k]), 0.0
 
     lam1, lam2, damping, penalty, converged, taken = 0.0, 0.0, 0.0, 1.0, False, 0
     while taken < iterations:
         for k in range(count):
             r[k] = f[k] - w[k]
+        for k in range(len(h)):
+            r[offset + k] = h[k] - w[offset + k]
         duals(mu, w, low, high, zl, zu, r, y, stiffness, force)
-        ss, es1, es2 = assemble(
-            c, s, y, stiffness, lam1, lam2, travel, smooth, time_weight, model, points, F, M, G, direct
+        direct_s, ss, es1, es2 = assemble(
+            c,
+            s,
+            y,
+            stiffness,
+            lam1,
+            lam2,
+            travel,
+            weights,
+            parameters,
+            points,
+            rows,
+            floor,
+            f,
+            acceleration,
+            knots,
+            F,
+            M,
+            G,
+            direct,
+            J,
         )
+        direct_s -= 0.5 * time_weight / s
         for i in range(unknowns):
             g[i] = direct[i] + lam1 * G[i, 1] + lam2 * G[i, 2]
-        gs = vjp(y, F, c, s, points, g) - 0.5 * time_weight / s + lam1 * es1 + lam2 * es2
+        gs = vjp(y, F, J, c, s, points, g) + direct_s + lam1 * es1 + lam2 * es2
         for i in range(free):
             g[2 * i + 1] += y[count + i]
             M[2 * i + 1, 0] += stiffness[count + i]
@@ -436,7 +694,7 @@ def solve(c, s, travel, thrust, pitch, model, smooth, time_weight, mu, last_mu, 
         duals(mu, w, low, high, zl, zu, r, y, stiffness, force)
         for i in range(unknowns):
             g[i] = direct[i]
-        gs = vjp(force, F, c, s, points, g) - 0.5 * time_weight / s
+        gs = vjp(force, F, J, c, s, points, g) + direct_s
         for i in range(free):
             g[2 * i + 1] += force[count + i]
         damping = damping / 8.0 if damping > DAMPING else 0.0
@@ -447,14 +705,14 @@ def solve(c, s, travel, thrust, pitch, model, smooth, time_weight, mu, last_mu, 
             break
         for k in range(size):
             dw[k] = r[k]
-        jvp(dx, ds, F, c, s, points, dw)
+        jvp(dx, ds, F, J, c, s, points, dw)
         for i in range(free):
             dw[count + i] = dx[2 * i + 1]
         step, dual = dual_step(mu, w, dw, low, high, zl, zu, dzl, dzu)
         if not fixed:
             step = min(step, 0.5 * s / max(abs(ds), TINY))
 
-        missing, slope = abs(e1) + abs(e2), -0.5 * time_weight * ds / s
+        missing, slope = abs(e1) + abs(e2), direct_s * ds
         for i in range(unknowns):
             slope += direct[i] * dx[i]
         for k in range(size):
@@ -469,12 +727,16 @@ def solve(c, s, travel, thrust, pitch, model, smooth, time_weight, mu, last_mu, 
             for i in range(free):
                 new_c[3 + i, 0] = c[3 + i, 0] + step * dx[2 * i]
                 new_c[3 + i, 1] = c[3 + i, 1] + step * dx[2 * i + 1]
-            objective, e1, e2 = evaluate(new_c, new_s, travel, smooth, time_weight, model, points, f)
+            objective, e1, e2 = evaluate(
+                new_c, new_s, travel, weights, parameters, points, rows, floor, f, acceleration, knots, h
+            )
             after = objective + penalty * (abs(e1) + abs(e2))
             for k in range(size):
                 new_w[k] = w[k] + step * dw[k]
                 if k < count:
                     after += penalty * abs(f[k] - new_w[k])
+                elif k >= offset:
+                    after += penalty * abs(h[k - offset] - new_w[k])
             after += mu * barrier(new_w, low, high)
             if after <= before + SUFFICIENT * step * (slope - penalty * missing) + ROUNDING * abs(before):
                 accepted = True
@@ -487,16 +749,16 @@ def solve(c, s, travel, thrust, pitch, model, smooth, time_weight, mu, last_mu, 
                 zl[k] += dual * dzl[k]
                 zu[k] += dual * dzu[k]
         else:  # once more, and more carefully
-            objective, e1, e2 = evaluate(c, s, travel, smooth, time_weight, model, points, f)
+            objective, e1, e2 = evaluate(
+                c, s, travel, weights, parameters, points, rows, floor, f, acceleration, knots, h
+            )
             damping = max(1.0, 64.0 * damping)
-    sums = np.zeros(4)
+    multipliers = np.empty((2, size))
     for k in range(size):
-        sums[0 if k < count else 2] += zl[k]
-        sums[1 if k < count else 3] += zu[k]
-    return converged, taken, c, s, sums
+        multipliers[0, k], multipliers[1, k] = zl[k], zu[k]
+    return converged, taken, c, s, multipliers
 
 
-@njit(cache=True)
 def interpolate(c, duration, count):
     """Elevation and pitch, their first and their second derivatives by time, (3, 2, K) at K equidistant times."""
     segments = len(c) - 3
@@ -505,9 +767,7 @@ def interpolate(c, duration, count):
         u = segments * k / (count - 1)
         j = min(int(u), segments - 1)
         u -= j
-        w = 1.0 - u
-        value, curvature = basis(u)
-        slope = (-0.5 * w**2, 1.5 * u**2 - 2.0 * u, 0.5 + u - 1.5 * u**2, 0.5 * u**2)
+        value, slope, curvature = basis(u)
         for o in range(2):
             y0 = y1 = y2 = 0.0
             for i in range(4):
@@ -518,10 +778,27 @@ def interpolate(c, duration, count):
     return y
 
 
-@njit(cache=True)
-def thrusts_along(y, ddy, model):
-    """The thrusts (2, K) of both fans and the travel's second derivative (K,) along outputs and theirs, (2, K) each."""
+def thrusts_along(y, dy, ddy, parameters):
+    """The thrusts (2, K) of both fans and the travel's second derivative (K,), were it at rest, along two outputs."""
     f, ddeta = np.empty(y.shape), np.empty(y.shape[1])
     for k in range(y.shape[1]):
-        f[0, k], f[1, k], ddeta[k] = inverse_dynamics(y[0, k], y[1, k], ddy[0, k], ddy[1, k], model)
+        v1, v2, ddeta[k] = invert(
+            y[0, k], dy[0, k], ddy[0, k], y[1, k], dy[1, k], ddy[1, k], parameters, math.sin, math.cos
+        )
+        f[0, k], f[1, k] = 0.5 * (v1 + v2), 0.5 * (v1 - v2)
     return f, ddeta
+
+
+# NaN and infinity stand for what fails
+CAREFUL = (solve, schur_step, newton_step, factorise, barrier, dual_step, duals, kkt_residual)
+
+
+def run(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu, last_mu, tolerance, iterations):
+    """`solve`, which is careful, as what is compiled."""
+    return solve(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu, last_mu, tolerance, iterations)
+
+
+@cache
+def compiled(function: Callable) -> Callable:
+    """The function, compiled; at its first call, and kept on disk for as long as (3) and this module stay the same."""
+    return Compiler(careful=CAREFUL).entry(function)

@@ -1,10 +1,15 @@
 """What is said where no plan is found."""
 
+import re
+
 import numpy as np
 import pytest
 
-from heli_gym import Maneuver, Trajectory
-from heli_gym.baselines.planning.feasibility import infeasible
+from heli_gym import HelicopterParameters, Limits, Maneuver, Trajectory
+from heli_gym.baselines import plan
+from heli_gym.baselines.planning.feasibility import infeasible, start_clock, validated
+
+CLOCK = start_clock(Maneuver(), None)
 
 
 def shortest(front, pitch_deg=40.0) -> Trajectory:
@@ -27,7 +32,7 @@ def shortest(front, pitch_deg=40.0) -> Trajectory:
     ],
 )
 def test_of_the_shortest_plan_what_is_at_a_limit_is_told_and_nothing_else(front, riding):
-    error = infeasible(Maneuver(), shortest(front))
+    error = infeasible(Maneuver(), shortest(front), CLOCK)
     assert str(error).endswith(f"; the shortest found takes 3.00 s: its pitch reaches 80% of its limit{riding}")
     assert error.shortest_duration == 3.0
 
@@ -37,11 +42,24 @@ def test_of_the_shortest_plan_what_is_at_a_limit_is_told_and_nothing_else(front,
 )
 @pytest.mark.parametrize("pitch_deg", [0.0, -1e-6])
 def test_of_a_plan_without_pitch_none_is_told(voltage, said, pitch_deg):
-    error = infeasible(Maneuver(), shortest(np.full(4, voltage), pitch_deg))
+    error = infeasible(Maneuver(), shortest(np.full(4, voltage), pitch_deg), CLOCK)
     assert str(error).endswith(f"; the shortest found takes 3.00 s{said}")
 
 
-def test_where_there_is_no_plan_at_all_that_is_said():
-    error = infeasible(Maneuver(), None)
-    assert str(error) == f"no plan for {Maneuver()}, nor for the same in any other time"
+def test_where_no_plan_was_found_nothing_more_is_claimed():
+    error = infeasible(Maneuver(), None, start_clock(Maneuver(), None))
+    assert str(error) == f"no plan found for {Maneuver()}; the search found none in other durations either"
     assert error.shortest_duration is None
+
+
+def test_a_plan_that_misses_the_goal_when_replayed_is_reported_as_that():
+    plan_, clock = plan(Maneuver()), start_clock(Maneuver(), None)
+    weaker = Maneuver(parameters=HelicopterParameters(c1=0.1))
+    assert validated(weaker, plan_, clock) is None
+    assert re.search(r"the plan, replayed, misses the goal by \d.*rad", str(infeasible(weaker, None, clock)))
+
+
+def test_a_plan_that_exceeds_a_limit_is_reported_with_it():
+    clock = start_clock(Maneuver(), None)
+    assert validated(Maneuver(limits=Limits(u_max=10.5)), plan(Maneuver()), clock) is None
+    assert clock.rejected == ["the plan's voltages exceed their limits by 0.5 V"]

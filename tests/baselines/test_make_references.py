@@ -13,14 +13,15 @@ from heli_gym.baselines.commands.make_references import (
     SUITE,
     Args,
     ground_elevation,
-    invert_dynamics,
     main,
     packaged,
     resampled,
 )
 from heli_gym.baselines.evaluation.metrics import flight_metrics
+from heli_gym.baselines.planning.flat import invert_motion
 from heli_gym.env import REFERENCES, Heli3DOFEnv, find_reference
 from heli_gym.parameters import AMPLIFIER_LIMITS
+from heli_gym.rig import PAPER
 
 GROUND_DEG = math.degrees(math.atan(-TABLE_I.a2 / TABLE_I.a1))
 
@@ -123,7 +124,7 @@ def test_an_inverted_flight_is_the_flight():
     t, pitch = np.linspace(0.0, 2.0, 401), 0.3
     acceleration = -TABLE_I.b1 / TABLE_I.b2 * TABLE_I.a2 * math.tan(pitch)
     travel = np.stack((0.5 * acceleration * t**2, acceleration * t, np.full_like(t, acceleration)))
-    flight = invert_dynamics(t, travel, np.zeros((3, len(t))), Limits(), HelicopterParameters())
+    flight = invert_motion(t, travel, np.zeros((3, len(t))), Limits(), PAPER)
     assert_allclose(flight.x[4], pitch, atol=1e-12)
     assert_allclose(replay(flight), flight.x, atol=1e-6)
 
@@ -132,7 +133,7 @@ def test_a_fall_that_no_thrust_can_speed_up_is_refused():
     t = np.linspace(0.0, 1.0, 101)
     falling = np.stack((0.5 * t**2, t, np.ones_like(t)))
     with pytest.raises(ValueError, match="elevation: falls faster than without thrust"):
-        invert_dynamics(t, np.zeros((3, 101)), falling, Limits(), HelicopterParameters())
+        invert_motion(t, np.zeros((3, 101)), falling, Limits(), PAPER)
 
 
 def test_resampled_voltages_err_on_both_sides_and_keep_their_limits():

@@ -23,7 +23,7 @@ def inner(x):
 
 
 def test_what_is_compiled_gives_what_python_gives():
-    arguments = 0.3, 0.5, -0.2, HelicopterParameters()
+    arguments = (0.1, -0.4, 0.3, 0.2, 0.5, 0.6), -0.2, HelicopterParameters()
     assert compiler().part(internal_dynamics)(*arguments) == pytest.approx(internal_dynamics(*arguments), rel=1e-14)
 
 
