@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 from heli_gym import HelicopterParameters
 from heli_gym.baselines import riccati_gains
 from heli_gym.baselines.paper import riccati, tvlqr
+from heli_gym.rig import PAPER
 
 NOMINAL = HelicopterParameters()
 
@@ -40,7 +41,7 @@ def test_both_integrations_give_the_same_gains(reference, tolerance, request):
     gains = riccati_gains(reference)
     M = tvlqr.stationary_cost(0.0, NOMINAL, tvlqr.Q, tvlqr.R)
     t = np.linspace(0.0, 10.0, 2001)
-    P = tvlqr.integrate_stiff(reference, NOMINAL, tvlqr.Q, tvlqr.R, M, t)[:: 2000 // (len(gains.t) - 1)]
+    P = tvlqr.integrate_stiff(reference, PAPER, tvlqr.Q, tvlqr.R, M, t)[:: 2000 // (len(gains.t) - 1)]
     assert_allclose(np.moveaxis(gains.P, -1, 0), P, atol=1e-4 * np.abs(P).max())
     _, u = reference(gains.t)
     B = [jacobians(*reference_at)[1] for reference_at in zip(reference(gains.t)[0].T, inputs(u).T)]
