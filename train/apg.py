@@ -5,6 +5,7 @@ Each update flies whole maneuvers of `LANES` drawn helicopters and follows the e
 are safetensors and JSON, and nothing is unpickled.
 """
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from threadpoolctl import threadpool_limits
 from heli_gym.baselines.control.residual import Network, RecurrentNetwork, ResidualPolicy
 from heli_gym.baselines.control.tracking import TrackingPolicy
 from heli_gym.simulation.layout import COUNTS, LAG, LOSS, MEASURED, PARAMETERS, ROTOR, VISCOUS, X
+from heli_gym.train.checkpoint import read_checkpoint, write_state
 from heli_gym.train.flight_gradient import LANES, N_BODY, SUBSTEPS, Batch, Outcome, Rollout, Settings, Task, Weights
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
@@ -168,6 +170,14 @@ class APG:
             raise ValueError(f"envs: must be {LANES} helicopters, not {envs.num_envs}")
         if policy.feature_groups != GROUPS:
             raise ValueError(f"feature_groups = {policy.feature_groups!r}: must be {GROUPS!r}")
+        self.arguments = {
+            "learning_rate": learning_rate,
+            "hidden": hidden,
+            "max_grad_norm": max_grad_norm,
+            "cost_weight": cost_weight,
+            "elevation_weight": elevation_weight,
+            "seed": seed,
+        }
         torch.manual_seed(seed)
         self.envs, self.residual, self.seed, self.max_grad_norm = envs, policy, seed, max_grad_norm
         self.task = task_of(policy, envs, cost_weight, elevation_weight)
@@ -262,9 +272,20 @@ class APG:
         shape = np.shape(observation)[:-1]
         return action.numpy().reshape(*shape, 2), (following.numpy().reshape(*shape, -1),)
 
-    def network(self) -> RecurrentNetwork:
-        """The network for numpy."""
-        return network_of(self.policy)
+    def save(self, path: str | Path) -> None:
+        """Write path.safetensors and path.sha256."""
+        write_state(Path(path), {**self.arguments, "steps": self.num_timesteps, **self.get_parameters()})
+
+    @classmethod
+    def load(cls, path: str | Path, policy: ResidualPolicy, envs: Heli3DOFVectorEnv) -> "APG":
+        """The agent that `save` wrote. Raises ValueError if the file is missing or damaged."""
+        state = read_checkpoint(Path(path).with_suffix(".safetensors"))
+        parameters = {name: state.pop(name) for name in ("policy", "policy.optimizer")}
+        steps = state.pop("steps")
+        agent = cls(policy, envs, **state)
+        agent.set_parameters(parameters)
+        agent.num_timesteps = steps
+        return agent
 
     def get_parameters(self) -> dict[str, dict]:
         """The states of network and optimiser."""

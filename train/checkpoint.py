@@ -41,23 +41,27 @@ def join(tree: Any, tensors: dict[str, torch.Tensor]) -> Any:
     return [join(item, tensors) for item in tree["list"]] if "list" in tree else tree["value"]
 
 
-def save_checkpoint(folder: Path, number: int, state: dict[str, Any]) -> None:
-    """Writes the state of a run, and removes all checkpoints but the last two."""
+def write_state(path: Path, state: dict[str, Any]) -> None:
+    """Writes path.safetensors, and its SHA-256 into path.sha256, each atomically."""
     tensors: dict[str, torch.Tensor] = {}
     tree = split(state, tensors)
     data = save(tensors, metadata={"tree": json.dumps(tree)})
-    stem = folder / FORMAT.format(number)
-    with atomic_write(stem.with_suffix(".safetensors")) as file:
+    with atomic_write(path.with_suffix(".safetensors")) as file:
         file.write(data)
-    with atomic_write(stem.with_suffix(".sha256")) as file:
+    with atomic_write(path.with_suffix(".sha256")) as file:
         file.write((sha256(data).hexdigest() + "\n").encode())
+
+
+def save_checkpoint(folder: Path, number: int, state: dict[str, Any]) -> None:
+    """Writes the state of a run, and removes all checkpoints but the last two."""
+    write_state(folder / FORMAT.format(number), state)
     for old in sorted(folder.glob("*.safetensors"))[:-KEPT]:
         old.unlink()
         old.with_suffix(".sha256").unlink(missing_ok=True)
 
 
 def read_checkpoint(path: Path) -> dict[str, Any]:
-    """The state that `save_checkpoint` wrote. Raises ValueError if the file is damaged."""
+    """The state that `write_state` wrote. Raises ValueError if the file is damaged."""
     try:
         data, digest = path.read_bytes(), path.with_suffix(".sha256").read_text().strip()
     except OSError as error:
@@ -69,10 +73,16 @@ def read_checkpoint(path: Path) -> dict[str, Any]:
 
 
 def last_checkpoint(folder: Path) -> dict[str, Any] | None:
-    """The last state that can be read, if there is any; what is damaged is named and skipped."""
-    for path in sorted(folder.glob("*.safetensors"), reverse=True):
+    """The last state that can be read, or None without any checkpoint; a damaged one is named and skipped.
+
+    Raises ValueError if there are checkpoints and all are damaged.
+    """
+    paths = sorted(folder.glob("*.safetensors"), reverse=True)
+    for path in paths:
         try:
             return read_checkpoint(path)
         except ValueError as error:
-            logging.warning("%s; the one before it is used", error)
+            logging.warning("%s; the one before it is used, if there is one", error)
+    if paths:
+        raise ValueError(f"{folder}: all {len(paths)} checkpoints are damaged; remove the run's folder to begin anew")
     return None

@@ -1,18 +1,21 @@
-"""`heli-train`: an agent of Stable-Baselines3 learns to correct a controller, or to fly alone.
+"""`heli-train`: an agent learns to correct a controller, or to fly alone.
 
-Read it from top to bottom: the settings; the helicopters and the agent; training, in chunks after each of which the
-agent is validated and the run is saved; what is left in the folder of the run:
+The learners are the analytic policy gradient of `apg` and those of Stable-Baselines3. The file reads from top to
+bottom: settings; helicopters and agent; training, in chunks. After each chunk the agent is validated and the run is
+saved. The folder of a run holds:
 
-    settings.json   what was asked for
-    best.*          the network that was best on the validation helicopters: what `heli-evaluate` can fly
+    settings.json   the settings
+    best.*          the network that was best on the validation helicopters, which `heli-evaluate` can fly
     history.json    the validation after each chunk
-    checkpoints/    the last two states of the run, to go on from with --resume
+    checkpoints/    the last two states of the run, from which --resume goes on
     events.*        TensorBoard's
 """
 
 import json
+import math
+import time
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -26,100 +29,157 @@ from stable_baselines3.common.logger import configure
 from stable_baselines3.common.utils import set_random_seed
 
 from heli_gym.baselines.control.policies import POLICIES, make_policy
-from heli_gym.baselines.control.residual import FEATURE_GROUPS, Learned, Network, ResidualPolicy, save_learned
+from heli_gym.baselines.control.residual import (
+    AHEAD,
+    FEATURE_GROUPS,
+    Learned,
+    Network,
+    RecurrentNetwork,
+    ResidualPolicy,
+    save_learned,
+)
 from heli_gym.baselines.evaluation.metrics import ONE, Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many
 from heli_gym.cli import command, parse
 from heli_gym.env import find_reference
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.storage import atomic_write, check_folder
+from heli_gym.task import control_steps
+from heli_gym.train import apg
+from heli_gym.train.apg import APG
 from heli_gym.train.asymmetric import AsymmetricPolicy
 from heli_gym.train.checkpoint import last_checkpoint, save_checkpoint
 from heli_gym.train.vec_env import ResidualVecEnv
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
+CONTROL_PERIOD = 0.02  # s
 START_SPREAD_DEG = 5.0
 VALIDATION_SEED = HELD_OUT_SEED // 2  # training's seeds stay below, those of evaluations above
-EARLY_END_PENALTY = 100.0  # what it takes off the score of a network to fly no time at all; more than errors can save
+EARLY_END_PENALTY = 100.0  # of the score of a network that flies no time at all
 SCRATCH = "middle-voltage"  # the base of an agent that flies alone, from the middle of the voltages
 
 
 @dataclass(frozen=True)
 class Args:
-    """Train an agent."""
+    """Train an agent. Settings without a value have the learner's default, see `DEFAULTS`."""
 
-    algo: Literal["ppo", "sac", "td3", "tqc"] = "ppo"
-    plant: str = "lab"  # that is drawn anew in every flight: lab or rigid
+    algo: Literal["apg", "ppo", "sac", "td3", "tqc"] = "apg"
+    plant: str = "lab"  # drawn anew in every flight: lab or, but for apg, rigid
     mode: Literal["residual", "scratch"] = "residual"  # whether the agent corrects the base policy or flies alone
-    base: str = ""  # the policy that is corrected; by default "kalman-lqr@PLANT", tuned for what the agent learns too
-    scale: float = 3.0  # V, the greatest correction
-    feature_groups: tuple[str, ...] = tuple(
-        FEATURE_GROUPS
-    )  # what of `heli_gym.baselines.control.residual.FEATURE_GROUPS` the agent is shown
-    privileged: bool = True  # PPO: whether its critic sees the true errors and the draw of the plant too
+    base: str = ""  # policy to correct; by default "feedforward+tvlqr@PLANT", the paper's with weights for the plant
+    scale: float | None = None  # V, the greatest correction; by default 12, or 6 about the middle for an agent alone
+    feature_groups: tuple[str, ...] | None = None  # of `residual.FEATURE_GROUPS`, what the agent is shown
+    privileged: bool = True  # PPO: whether its critic also sees the true errors and the draw of the plant
     objective: Literal["tracking", "environment"] = "tracking"  # travel, elevation and cost, or the whole reward
     reference: str = "travel-360"
     seed: int = 0
-    steps: int = 3_000_000  # control periods that are flown in training, of all helicopters together
-    envs: int = 512  # helicopters at once
-    chunk: int = 256  # control periods of each between two validations
-    hidden: tuple[int, ...] = (64, 64)  # neurons of the layers of the networks
-    learning_rate: float = 1e-3  # at first; it falls linearly to a tenth
+    steps: int | None = None  # control periods flown in training, of all helicopters together
+    envs: int | None = None  # helicopters at once
+    chunk: int | None = None  # control periods of each helicopter between two validations
+    cell: int = 96  # APG: hidden states of its GRU cell
+    hidden: tuple[int, ...] = (64, 64)  # the others: neurons of the layers
+    learning_rate: float | None = None  # at first; it falls linearly to a twentieth
+    max_grad_norm: float = 2.0  # APG: norm to which the gradient is clipped
+    cost_weight: float = 0.5  # APG: degrees of RMS error that a second of cost is worth
     gamma: float = 0.99  # discount per control period
-    gae_lambda: float = 0.97  # PPO: of the advantage estimate; what a voltage does to travel takes a second to be seen
+    gae_lambda: float = 0.97  # PPO: of the advantage estimate; travel shows the effect of a voltage a second later
     log_std: float = -2.7  # PPO: logarithm of the standard deviation of the exploration's weights, at first
     hold: int = 32  # PPO: control periods for which the exploration keeps its direction
     rollout: int = 64  # PPO: control periods of each helicopter between two updates
     batch: int = 2048  # PPO: transitions of a gradient step
     epochs: int = 5  # PPO: passes over the transitions of an update
-    buffer: int = 300_000  # SAC, TD3, TQC: transitions that are remembered
-    validation: int = 64  # helicopters on which the agent is judged
-    out: Path = Path("out/train")  # folder, a run being one in it
-    resume: bool = False  # go on with the run of the same settings, if it was interrupted
+    buffer: int = 300_000  # SAC, TD3, TQC: transitions in the replay buffer
+    validation: int = 64  # helicopters on which the agent is validated
+    out: Path = Path("out/train")  # folder in which each run has its own
+    resume: bool = False  # continue the run of the same settings, if it was interrupted
     progress: bool = True  # whether to show a bar
+
+
+OF_STABLE_BASELINES: dict[str, Any] = {
+    "feature_groups": tuple(FEATURE_GROUPS),
+    "steps": 3_000_000,
+    "envs": 512,
+    "chunk": 256,
+    "learning_rate": 1e-3,
+}
+DEFAULTS: dict[str, dict[str, Any]] = {
+    "apg": {
+        "feature_groups": apg.GROUPS,
+        "steps": 96_000_000,
+        "envs": apg.LANES,
+        "chunk": 15_000,
+        "learning_rate": 4e-3,
+    },
+    **dict.fromkeys(("ppo", "sac", "td3", "tqc"), OF_STABLE_BASELINES),
+}
+
+
+def with_defaults(args: Args) -> Args:
+    """The settings with the learner's defaults where there is no value, and the name of the base."""
+    missing = {name: value for name, value in DEFAULTS[args.algo].items() if getattr(args, name) is None}
+    if args.scale is None:
+        missing["scale"] = 6.0 if args.mode == "scratch" else 12.0
+    base = SCRATCH if args.mode == "scratch" else args.base or f"feedforward+tvlqr@{args.plant}"
+    return replace(args, base=base, **missing)
 
 
 def check(args: Args) -> None:
     """Raises ValueError for settings that make no sense."""
-    for name in ("steps", "envs", "chunk", "rollout", "batch", "epochs", "buffer", "validation"):
-        if getattr(args, name) < 1:
-            raise ValueError(f"{name} = {getattr(args, name)}: must be at least 1")
-    if base_of(args).partition("@")[0] not in POLICIES:
+    sizes = ("steps", "envs", "chunk", "cell", "hold", "rollout", "epochs", "buffer", "validation")
+    for name, least in (*dict.fromkeys(sizes, 1).items(), ("batch", 2)):
+        if getattr(args, name) < least:
+            raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least}")
+    if not args.hidden or min(args.hidden) < 1:
+        raise ValueError(f"hidden = {args.hidden}: must be one layer or more, each of at least 1 neuron")
+    for name in ("gamma", "gae_lambda"):
+        if not 0.0 <= getattr(args, name) <= 1.0:
+            raise ValueError(f"{name} = {getattr(args, name)}: must be 0 to 1")
+    for name in ("learning_rate", "max_grad_norm"):
+        if not (math.isfinite(getattr(args, name)) and getattr(args, name) > 0.0):
+            raise ValueError(f"{name} = {getattr(args, name)}: must be a positive number")
+    for name in ("cost_weight", "log_std"):
+        if not math.isfinite(getattr(args, name)):
+            raise ValueError(f"{name} = {getattr(args, name)}: must be a finite number")
+    if args.base.partition("@")[0] not in POLICIES:
         raise ValueError(f"base = {args.base!r}: must be one of {', '.join(map(repr, POLICIES))}")
+    if args.algo == "apg" and args.mode == "scratch":
+        raise ValueError("mode = 'scratch': must be 'residual' for apg, which differentiates a base policy")
     if not 0 <= args.seed < 10_000:
         raise ValueError(f"seed = {args.seed}: must be 0 to 9999")
-    if args.chunk % args.rollout:
+    if args.algo == "ppo" and args.chunk % args.rollout:
         raise ValueError(f"chunk = {args.chunk}: must be a multiple of rollout = {args.rollout}")
     # The seeds of `learn`: no chunk flies the draws of another seed's run, nor those of the validation.
-    chunks = chunks_of(args)
+    chunks, draws = chunks_of(args), draws_of(args)
     if chunks > 1000:
         raise ValueError(
             f"steps = {args.steps}: {chunks} chunks of {args.chunk} x {args.envs} steps, and at most 1000 "
             "have seeds of their own; a longer chunk makes fewer"
         )
-    if (1000 * args.seed + chunks) * args.envs > VALIDATION_SEED:
+    if (1000 * args.seed + chunks) * draws > VALIDATION_SEED:
         raise ValueError(
-            f"seed = {args.seed}: with envs = {args.envs} and {chunks} chunks, the validation's draws would be trained "
-            f"on; (1000 seed + chunks) envs must be at most {VALIDATION_SEED}"
+            f"seed = {args.seed}: with {chunks} chunks of {draws} draws each, the validation's draws would be trained "
+            f"on; (1000 seed + chunks) draws must be at most {VALIDATION_SEED}"
         )
     check_folder("out", args.out)
 
 
 def chunks_of(args: Args) -> int:
-    """How many chunks the steps take."""
+    """Number of chunks."""
     return -(-args.steps // (args.chunk * args.envs))
 
 
-def base_of(args: Args) -> str:
-    """The name of the policy that is corrected."""
-    return args.base or f"kalman-lqr@{args.plant}"
+def draws_of(args: Args) -> int:
+    """Number of seeds that a chunk takes."""
+    if args.algo != "apg":
+        return args.envs  # later flights of a helicopter go on with its generator
+    return args.envs * -(-args.chunk // control_steps(find_reference(args.reference).duration, CONTROL_PERIOD))
 
 
 def run_folder(args: Args) -> Path:
     """Where the run with these settings leaves what it leaves: a folder for each plant, method and seed."""
-    method = f"{args.algo}-{base_of(args)}" if args.mode == "residual" else f"{args.algo}-scratch"
+    method = f"{args.algo}-{args.base}" if args.mode == "residual" else f"{args.algo}-scratch"
     for name in (
-        *(group for group in FEATURE_GROUPS if group not in args.feature_groups),
+        *(group for group in DEFAULTS[args.algo]["feature_groups"] if group not in args.feature_groups),
         *([] if args.privileged else ["privileged"]),
     ):
         method += f"-without-{name}"
@@ -129,7 +189,7 @@ def run_folder(args: Args) -> Path:
 def settings_of(args: Args) -> dict[str, Any]:
     """What a run depends on, as JSON has it."""
     ours = {name: value for name, value in asdict(args).items() if name not in ("out", "resume", "progress")}
-    return json.loads(json.dumps({**ours, "base": base_of(args)}))
+    return json.loads(json.dumps(ours))
 
 
 def check_begun(args: Args, folder: Path) -> bool:
@@ -142,7 +202,13 @@ def check_begun(args: Args, folder: Path) -> bool:
         return False
     if not args.resume:
         raise ValueError(f"out: {folder} holds a run already; --resume goes on with it")
-    begun, ours = json.loads(path.read_text()), settings_of(args)
+    try:
+        begun = json.loads(path.read_text())
+    except ValueError as error:
+        raise ValueError(f"{path}: must be JSON: {error}") from error
+    if not isinstance(begun, dict):
+        raise ValueError(f"{path}: must be a JSON object, not {begun!r}")
+    ours = settings_of(args)
     for name in ours:
         if begun.get(name) != ours[name]:
             raise ValueError(f"{name} = {ours[name]!r}: the run in {folder} was begun with {begun.get(name)!r}")
@@ -153,18 +219,41 @@ def check_begun(args: Args, folder: Path) -> bool:
 
 
 def make_residual_policy(args: Args, reference: Any, network: Any = None) -> ResidualPolicy:
-    """The policy that is learnt, with a network of its own or with the agent in its place."""
-    if args.mode == "scratch":
-        return ResidualPolicy(
-            make_policy(SCRATCH, reference), reference, network, 6.0, feature_groups=args.feature_groups
-        )
+    """The policy to learn, with this network or, without one, for an agent in its place."""
     return ResidualPolicy(
-        make_policy(base_of(args), reference), reference, network, args.scale, feature_groups=args.feature_groups
+        make_policy(args.base, reference),
+        reference,
+        network,
+        args.scale,
+        CONTROL_PERIOD,
+        feature_groups=args.feature_groups,
+        ahead=apg.AHEAD if args.algo == "apg" else AHEAD,
     )
 
 
-def make_agent(args: Args, helicopters: ResidualVecEnv) -> BaseAlgorithm:
+def make_helicopters(args: Args, reference: Any) -> Heli3DOFVectorEnv | ResidualVecEnv:
+    """The helicopters to train on."""
+    envs = Heli3DOFVectorEnv(
+        args.envs, args.plant, reference, start_spread_deg=START_SPREAD_DEG, autoreset_mode="SameStep"
+    )
+    if args.algo == "apg":
+        return envs
+    privileged = args.privileged and args.algo == "ppo"
+    return ResidualVecEnv(envs, make_residual_policy(args, reference), args.objective, privileged=privileged)
+
+
+def make_agent(args: Args, helicopters: Any) -> APG | BaseAlgorithm:
     """The agent, whose first actions are small: its last layer is near zero."""
+    if args.algo == "apg":
+        return APG(
+            make_residual_policy(args, helicopters.reference_of(0)),
+            helicopters,
+            args.learning_rate,
+            hidden=args.cell,
+            max_grad_norm=args.max_grad_norm,
+            cost_weight=args.cost_weight,
+            seed=args.seed,
+        )
     common: dict[str, Any] = {
         "learning_rate": args.learning_rate,
         "gamma": args.gamma,
@@ -204,8 +293,10 @@ def make_agent(args: Args, helicopters: ResidualVecEnv) -> BaseAlgorithm:
     return agent
 
 
-def network_of(agent: BaseAlgorithm) -> Network:
-    """What the agent does without exploring, for numpy."""
+def network_of(agent: APG | BaseAlgorithm) -> Network | RecurrentNetwork:
+    """The agent's network, without exploration, for numpy."""
+    if isinstance(agent, APG):
+        return apg.network_of(agent.policy)
     policy: Any = agent.policy
     if isinstance(agent, PPO):
         modules, tanh_output = [*policy.mlp_extractor.policy_net, policy.action_net], False
@@ -220,7 +311,7 @@ def network_of(agent: BaseAlgorithm) -> Network:
     return Network(tuple(weights), tuple(biases), tanh_output)
 
 
-def validate(args: Args, agent: BaseAlgorithm | None, envs: Heli3DOFVectorEnv, seed: int) -> dict[str, Any]:
+def validate(args: Args, agent: APG | BaseAlgorithm | None, envs: Heli3DOFVectorEnv, seed: int) -> dict[str, Any]:
     """Means over flights of the helicopters, seeded from `seed` on, with the agent or, without one, the base alone."""
     reference = envs.reference_of(0)
     network = network_of(agent) if agent else lambda features: np.zeros((2, *features.shape[1:]))
@@ -230,12 +321,12 @@ def validate(args: Args, agent: BaseAlgorithm | None, envs: Heli3DOFVectorEnv, s
 
 
 def score(args: Args, row: dict[str, Any]) -> float:
-    """What decides which network is the best: the return, or small errors and few failures."""
+    """Score by which the best network is chosen: the return, or small errors, little cost and few failures."""
     if args.objective == "environment":
         return row["episode_return"]
     travel, elevation = np.radians(row["rms_error_deg"][:2]) / ONE
-    unflown = 1.0 - row["flown"] / find_reference(args.reference).duration  # errors are of the time flown only
-    return row["success"] - 0.5 * (travel + elevation) - EARLY_END_PENALTY * unflown
+    unflown = 1.0 - row["flown"] / find_reference(args.reference).duration
+    return row["success"] - 0.5 * (travel + elevation) - 0.25 * row["cost"] - EARLY_END_PENALTY * unflown
 
 
 # Training
@@ -243,30 +334,25 @@ def score(args: Args, row: dict[str, Any]) -> float:
 
 def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     """Trains, or goes on, and returns the folder of the run; `stop_after` so many chunks, as if interrupted."""
+    args = with_defaults(args)
     check(args)
     folder = run_folder(args)
     name = "/".join(folder.parts[-3:])
     begun = check_begun(args, folder)
     torch.set_num_threads(1)
     reference = find_reference(args.reference)
-    env_kwargs: dict[str, Any] = {"plant": args.plant, "reference": reference, "start_spread_deg": START_SPREAD_DEG}
-    helicopters = ResidualVecEnv(
-        Heli3DOFVectorEnv(args.envs, autoreset_mode="SameStep", **env_kwargs),
-        make_residual_policy(args, reference),
-        args.objective,
-        privileged=args.privileged and args.algo == "ppo",
-    )
-    validation_envs = Heli3DOFVectorEnv(args.validation, **env_kwargs)
+    helicopters = make_helicopters(args, reference)
+    validation_envs = Heli3DOFVectorEnv(args.validation, args.plant, reference, start_spread_deg=START_SPREAD_DEG)
     agent = make_agent(args, helicopters)
-    (folder / "checkpoints").mkdir(parents=True, exist_ok=True)  # only now: what is refused leaves nothing
+    checkpoint = last_checkpoint(folder / "checkpoints") if begun else None
+    (folder / "checkpoints").mkdir(parents=True, exist_ok=True)  # only now: a refusal leaves nothing
     agent.set_logger(configure(str(folder), ["tensorboard"]))
 
     history: list[dict[str, Any]] = []
-    checkpoint = last_checkpoint(folder / "checkpoints") if begun else None
     if checkpoint:
         history = restore(agent, checkpoint)
     else:
-        history.append({"steps": 0, **validate(args, None, validation_envs, VALIDATION_SEED)})
+        history.append({"steps": 0, "seconds": 0.0, **validate(args, None, validation_envs, VALIDATION_SEED)})
         write_json(folder / "settings.json", settings_of(args))
     best_so_far = max((score(args, row) for row in history[1:]), default=-np.inf)
 
@@ -275,12 +361,15 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     with Progress(*columns, console=console, disable=not args.progress) as progress:
         bar = progress.add_task(name, total=chunks, completed=len(history) - 1)
         for number in range(len(history) - 1, chunks if stop_after is None else min(chunks, stop_after)):
+            begin = time.process_time()
             learn(args, agent, helicopters, number, chunks)
-            row = {"steps": agent.num_timesteps, **validate(args, agent, validation_envs, VALIDATION_SEED)}
+            seconds = history[-1]["seconds"] + time.process_time() - begin
+            result = validate(args, agent, validation_envs, VALIDATION_SEED)
+            row = {"steps": agent.num_timesteps, "seconds": seconds, **result}
             history.append(row)
             if score(args, row) > best_so_far:
                 best_so_far = score(args, row)
-                save_learned(folder / "best", learned_settings(args, helicopters), network_of(agent))
+                save_learned(folder / "best", learned_settings(args, agent), network_of(agent))
             for metric, value in row.items():
                 agent.logger.record(f"validation/{metric}", np.mean(value))
             agent.logger.dump(agent.num_timesteps)
@@ -295,24 +384,27 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     return folder
 
 
-def learn(args: Args, agent: BaseAlgorithm, helicopters: ResidualVecEnv, number: int, chunks: int) -> None:
-    """One chunk. What is random in it follows from the seed and the chunk's number alone.
+def learn(args: Args, agent: APG | BaseAlgorithm, helicopters: Any, number: int, chunks: int) -> None:
+    """Learn for one chunk. Its random numbers follow from the seed and the number of the chunk alone.
 
     So an interrupted run can go on with the chunk in which it was interrupted, and ends with the same weights.
     """
     seed = 1000 * args.seed + number
     set_random_seed(seed)
-    agent.action_space.seed(seed)
-    helicopters.seed(seed * args.envs)
-    agent._last_obs = None  # Stable-Baselines3 then resets the helicopters
-    rate = args.learning_rate * (1.0 - 0.9 * number / chunks)
+    if isinstance(agent, APG):
+        agent.next_seed = seed * draws_of(args)
+    else:
+        agent.action_space.seed(seed)
+        helicopters.seed(seed * draws_of(args))
+        agent._last_obs = None  # Stable-Baselines3 then resets the helicopters
+    rate = args.learning_rate * (1.0 - 0.95 * number / chunks)
     agent.lr_schedule = lambda _: rate
     agent.learn(args.chunk * args.envs, reset_num_timesteps=False, log_interval=10**9)
 
 
-def state_of(agent: BaseAlgorithm, history: list[dict[str, Any]]) -> dict[str, Any]:
-    """All that the rest of a run depends on."""
-    _, variables = agent._get_torch_save_params()
+def state_of(agent: APG | BaseAlgorithm, history: list[dict[str, Any]]) -> dict[str, Any]:
+    """Everything that the rest of a run depends on."""
+    variables = [] if isinstance(agent, APG) else agent._get_torch_save_params()[1]
     state = {
         "history": json.dumps(history),
         "parameters": agent.get_parameters(),
@@ -330,7 +422,7 @@ def state_of(agent: BaseAlgorithm, history: list[dict[str, Any]]) -> dict[str, A
 BUFFER = ("observations", "next_observations", "actions", "rewards", "dones", "timeouts")
 
 
-def restore(agent: BaseAlgorithm, state: dict[str, Any]) -> list[dict[str, Any]]:
+def restore(agent: APG | BaseAlgorithm, state: dict[str, Any]) -> list[dict[str, Any]]:
     """Puts the agent into this state, and returns the history of its run."""
     agent.set_parameters(state["parameters"])
     for name, value in state["variables"].items():
@@ -344,18 +436,24 @@ def restore(agent: BaseAlgorithm, state: dict[str, Any]) -> list[dict[str, Any]]
     return json.loads(state["history"])
 
 
-def learned_settings(args: Args, helicopters: ResidualVecEnv) -> Learned:
-    """What is stored beside the network."""
+def learned_settings(args: Args, agent: APG | BaseAlgorithm) -> Learned:
+    """Settings that are stored with the network."""
+    residual = agent.residual if isinstance(agent, APG) else agent.get_env().policy  # type: ignore[union-attr]
+    network = network_of(agent)
+    recurrent = isinstance(network, RecurrentNetwork)
     return Learned(
-        base=base_of(args) if args.mode == "residual" else SCRATCH,
-        scale=helicopters.policy.scale,
+        base=args.base,
+        scale=args.scale,
         reference=args.reference,
         plant=args.plant,
-        control_period=helicopters.envs.control_period,
-        features=helicopters.n_actor_features,
-        hidden=args.hidden,
+        control_period=CONTROL_PERIOD,
+        features=network.weight_input.shape[1] if recurrent else network.weights[0].shape[1],
+        hidden=() if recurrent else args.hidden,
         tanh_output=args.algo != "ppo",
-        feature_groups=helicopters.policy.feature_groups,
+        feature_groups=residual.feature_groups,
+        law=residual.law,
+        ahead=residual.ahead,
+        recurrent=network.size if recurrent else 0,
     )
 
 

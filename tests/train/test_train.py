@@ -18,23 +18,41 @@ from heli_gym.baselines.control.residual import ResidualPolicy, load_learned  # 
 from heli_gym.baselines.evaluation.metrics import flight_metrics  # noqa: E402
 from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
 from heli_gym.env import find_reference  # noqa: E402
+from heli_gym.train.apg import GROUPS  # noqa: E402
 from heli_gym.train.checkpoint import last_checkpoint, read_checkpoint, save_checkpoint  # noqa: E402
-from heli_gym.train.train import VALIDATION_SEED, Args, check, make_agent, network_of, run_folder, score, train  # noqa: E402
+from heli_gym.train.flight_gradient import LANES  # noqa: E402
+from heli_gym.train.train import (  # noqa: E402
+    VALIDATION_SEED,
+    Args,
+    check,
+    make_agent,
+    network_of,
+    run_folder,
+    score,
+    train,
+    with_defaults,
+)
 from heli_gym.train.vec_env import HeliVecEnv, ResidualVecEnv  # noqa: E402
 from heli_gym.vector_env import Heli3DOFVectorEnv  # noqa: E402
 
 SHORT = find_reference("climb-7.5")
-SMALL = Args(
-    reference="climb-7.5",
-    steps=4 * 32 * 8,
-    envs=8,
-    chunk=32,
-    rollout=16,
-    batch=64,
-    epochs=2,
-    validation=4,
-    progress=False,
+SMALL = with_defaults(
+    Args(
+        algo="ppo",
+        base="kalman-lqr@lab",
+        scale=3.0,
+        reference="climb-7.5",
+        steps=4 * 32 * 8,
+        envs=8,
+        chunk=32,
+        rollout=16,
+        batch=64,
+        epochs=2,
+        validation=4,
+        progress=False,
+    )
 )
+SMALL_APG = Args(reference="climb-7.5", steps=4 * 250 * LANES, chunk=250, cell=8, validation=4, progress=False)
 
 
 def helicopters(n=4, base="kalman-lqr", **kwargs):
@@ -98,22 +116,28 @@ def test_stable_baselines_learns_on_the_plain_adapter():
     PPO("MlpPolicy", vec, n_steps=16, batch_size=32, n_epochs=1, device="cpu").learn(64)
 
 
-@pytest.mark.parametrize("algo", ["ppo", "sac"])
-def test_an_interrupted_run_goes_on_to_the_same_weights(tmp_path, algo):
-    args = replace(SMALL, algo=algo, buffer=2000)
+def without_time(path):
+    return [{**row, "seconds": None} for row in json.loads(path.read_text())]
+
+
+@pytest.mark.parametrize(
+    "args", [SMALL, replace(SMALL, algo="sac", buffer=2000), SMALL_APG], ids=lambda args: args.algo
+)
+def test_an_interrupted_run_goes_on_to_the_same_weights(tmp_path, args):
     console = Console(quiet=True)
     whole = train(replace(args, out=tmp_path / "whole"), console)
     parts = replace(args, out=tmp_path / "parts")
     train(parts, console, stop_after=2)
     train(replace(parts, resume=True), console)
-    folder = run_folder(parts)
+    folder = run_folder(with_defaults(parts))
     a, b = (last_checkpoint(f / "checkpoints")["parameters"]["policy"] for f in (whole, folder))
     assert a.keys() == b.keys()
     for name in a:
         assert torch.equal(a[name], b[name]), name
-    assert (whole / "history.json").read_text() == (folder / "history.json").read_text()
+    assert without_time(whole / "history.json") == without_time(folder / "history.json")
     settings, network = load_learned(folder / "best")
-    assert settings.features == network.weights[0].shape[1]
+    first = network.weight_input if settings.recurrent else network.weights[0]
+    assert settings.features == first.shape[1]
     assert sorted(p.suffix for p in (folder / "checkpoints").iterdir()) == [".safetensors"] * 2 + [".sha256"] * 2
 
 
@@ -148,19 +172,31 @@ def test_a_run_is_never_overwritten_and_goes_on_with_its_own_settings_only(tmp_p
 
 
 def test_a_network_that_crashes_early_is_not_the_best_whatever_its_errors_until_then():
-    row = {"success": 0.0, "rms_error_deg": [1.0, 1.0, 1.0], "flown": 2.0}
-    assert score(SMALL, row) < score(SMALL, {"success": 0.0, "rms_error_deg": [40.0, 10.0, 9.0], "flown": 5.0})
+    row = {"success": 0.0, "rms_error_deg": [1.0, 1.0, 1.0], "flown": 2.0, "cost": 0.0}
+    poor = {"success": 0.0, "rms_error_deg": [40.0, 10.0, 9.0], "flown": 5.0, "cost": 5.0}
+    assert score(SMALL, row) < score(SMALL, poor)
 
 
 @pytest.mark.parametrize(
     ("change", "name"),
     [
         ({"steps": 0}, "steps"),
+        ({"gamma": 2.0}, "gamma = 2.0: must be 0 to 1"),
+        ({"hold": -5}, "hold = -5: must be at least 1"),
+        ({"hidden": (64, 0)}, "hidden = "),
+        ({"batch": 1}, "batch = 1: must be at least 2"),
+        ({"scale": -1.0}, "scale = -1.0"),
+        ({"learning_rate": float("nan")}, "learning_rate = nan"),
+        ({"algo": "apg"}, "envs: must be 128 helicopters"),
+        (
+            {"algo": "apg", "plant": "rigid", "envs": LANES, "feature_groups": GROUPS, "base": "open-loop"},
+            "plant: must have",
+        ),
         ({"base": "moon"}, "base"),
         ({"seed": -1}, "seed"),
         ({"chunk": 33}, "chunk"),
         ({"steps": 1001 * 32 * 8}, "steps = .* 1001 chunks"),  # the thousand and first would fly the next seed's draws
-        ({"seed": 2097, "envs": 512, "steps": 153 * 32 * 512}, "seed = 2097: with envs = 512 and 153 chunks"),
+        ({"seed": 2097, "envs": 512, "steps": 153 * 32 * 512}, "seed = 2097: with 153 chunks of 512 draws"),
         ({"feature_groups": ("moon",)}, "feature_groups"),
         ({"plant": "moon"}, "plant"),
         ({"out": Path(__file__)}, "out"),
@@ -169,6 +205,21 @@ def test_a_network_that_crashes_early_is_not_the_best_whatever_its_errors_until_
 def test_bad_settings_are_named(tmp_path, change, name):
     with pytest.raises(ValueError, match=name):
         train(replace(SMALL, **{"out": tmp_path, **change}), Console(quiet=True))
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_run_with_damaged_settings_or_checkpoints_is_named_and_not_begun_anew(tmp_path):
+    args = replace(SMALL, out=tmp_path, steps=2 * 32 * 8, resume=True)
+    folder = train(args, Console(quiet=True))
+    settings = (folder / "settings.json").read_text()
+    (folder / "settings.json").write_text("[]")
+    with pytest.raises(ValueError, match=r"settings\.json: must be a JSON object, not \[\]"):
+        train(args, Console(quiet=True))
+    (folder / "settings.json").write_text(settings)
+    for path in (folder / "checkpoints").glob("*.safetensors"):
+        path.write_bytes(b"damaged")
+    with pytest.raises(ValueError, match="all 2 checkpoints are damaged; remove"):
+        train(args, Console(quiet=True))
 
 
 def test_the_seeds_of_training_may_reach_up_to_those_of_the_validation(tmp_path):
