@@ -22,6 +22,7 @@ COMMANDS = {
     "heli-compare-planners": "heli_gym.baselines.commands.compare_planners",
     "heli-demo": "heli_gym.baselines.commands.demo",
     "heli-evaluate": "heli_gym.baselines.commands.evaluate",
+    "heli-export": "heli_gym.baselines.commands.export",
     "heli-export-onnx": "heli_gym.train.export_onnx",
     "heli-film": "heli_gym.baselines.commands.film",
     "heli-log": "heli_gym.baselines.commands.log",

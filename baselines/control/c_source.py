@@ -1,0 +1,297 @@
+"""A policy as self-contained C99: header and source of the whole controller, without allocation.
+
+The control laws are the files in `c_code`; what is written here are the numbers in front of them. The source does what
+the policy does at the times of its control grid; between these, `feedforward+tvlqr` and its kin interpolate.
+"""
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from heli_gym.baselines.control.constant import ConstantVoltage, MiddleVoltage
+from heli_gym.baselines.control.estimation import LEAST_LIFT, settling_periods
+from heli_gym.baselines.control.model_based import ModelPolicy
+from heli_gym.baselines.control.protocol import Policy
+from heli_gym.baselines.control.residual import (
+    DISTURBANCE_SCALE,
+    FEATURE_CLIP,
+    FEATURE_GROUPS,
+    INTEGRAL_SCALE,
+    Network,
+    RecurrentNetwork,
+    ResidualPolicy,
+)
+from heli_gym.baselines.control.tracking import TrackingPolicy
+from heli_gym.model import virtual_input
+from heli_gym.rig import Rig
+from heli_gym.task import TOLERANCE
+from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustCurve
+
+TEMPLATES = Path(__file__).parent / "c_code"
+PRECISIONS = {"double": np.float64, "single": np.float32}
+FUNCTIONS = ("sin", "cos", "atan2", "sqrt", "pow", "fabs", "tanh")
+
+HEADER = """\
+/* {title}. Written by heli-export; README.md has the signals, signs and units. */
+#ifndef HELI_CONTROLLER_H
+#define HELI_CONTROLLER_H
+
+#ifdef __cplusplus
+extern "C" {{
+#endif
+
+/* Before every flight. */
+void heli_reset(void);
+
+/* Every {period:g} s: voltages u (front, back) in V for the time t in s since the start of the reference and the
+   measured state y: travel, elevation, pitch, each followed by its rate, in rad and rad/s. */
+void heli_step({real} t, const {real} y[6], {real} u[2]);
+
+#ifdef __cplusplus
+}}
+#endif
+
+#endif
+"""
+
+
+class CSource:
+    """Numbers and code of a controller, in one precision."""
+
+    def __init__(self, precision: str) -> None:
+        if precision not in PRECISIONS:
+            raise ValueError(f"precision = {precision!r}: must be one of {', '.join(map(repr, PRECISIONS))}")
+        self.dtype = PRECISIONS[precision]
+        self.suffix = "F" if precision == "single" else ""
+        self.real = "float" if precision == "single" else "double"
+        self.settings: dict[str, str] = {}
+        self.arrays: list[str] = []
+        self.code: list[str] = []
+
+    def number(self, value: float) -> str:
+        """A literal."""
+        if not math.isfinite(value):
+            raise ValueError(f"number = {value!r}: must be finite to be exported")
+        return f"{self.dtype(value).item()!r}{self.suffix}" if self.suffix == "" else self.short(value)
+
+    def short(self, value: float) -> str:
+        """A single-precision literal, by the fewest digits that mean it."""
+        text = np.format_float_scientific(np.float32(value), unique=True, trim="0")
+        return f"{text}{self.suffix}"
+
+    def define(self, **settings: Any) -> None:
+        """Constants, floating or whole."""
+        for name, value in settings.items():
+            whole = isinstance(value, bool | int | np.integer)
+            self.settings[name] = str(int(value)) if whole else f"({self.number(float(value))})"
+
+    def array(self, name: str, values: Any) -> None:
+        """A constant array, of one or two dimensions."""
+        values = np.asarray(values, dtype=float)
+        shape = "".join(f"[{n}]" for n in values.shape)
+        rows = values if values.ndim == 2 else values[None]
+        lines = [", ".join(map(self.number, row)) for row in rows]
+        body = ",\n    ".join(f"{{{line}}}" for line in lines) if values.ndim == 2 else lines[0]
+        self.arrays.append(f"static const real {name}{shape} = {{\n    {body}\n}};")
+
+    def use(self, template: str, replacements: Mapping[str, str] | None = None) -> None:
+        """Append a file of `c_code`."""
+        text = (TEMPLATES / template).read_text()
+        for old, new in (replacements or {}).items():
+            text = text.replace(old, new)
+        self.code.append(text)
+
+    def text(self, title: str) -> str:
+        """The whole source."""
+        common, *code = self.code
+        include, _, rest = common.partition("#define LAST")
+        functions = [f"#define {name.upper()} {name}{self.suffix.lower()}" for name in FUNCTIONS]
+        literal = f"#define REAL(x) x{'##F' if self.suffix else ''}"
+        settings = [f"#define {name} {value}" for name, value in self.settings.items()]
+        head = f"/* {title}. Written by heli-export. */\n{include}"
+        parts = [head, f"typedef {self.real} real;\n\n{literal}", "\n".join(functions), "\n".join(settings)]
+        return "\n".join((*parts, "", *self.arrays, "", f"#define LAST{rest}", *code))
+
+
+def c_source(policy: Policy, rig: Rig, name: str, precision: str = "double") -> dict[str, str]:
+    """The files `heli_controller.h` and `heli_controller.c` of a policy for a rig, by their names.
+
+    Raises ValueError for an unknown precision, and for a policy that has no C form.
+    """
+    source, title = CSource(precision), f"{name} for the rig {rig.name}"
+    source.use("common.c")
+    low, high = rig.voltage_limits
+    core = policy.base if isinstance(policy, ResidualPolicy) else policy
+    period = getattr(policy, "control_period", rig.sample_time)
+    source.define(PERIOD=period, U_MIN=low, U_MAX=high, SAFE_VOLTAGE=min(max(0.0, low), high))
+    add_base(source, core, rig, name)
+    if isinstance(policy, ResidualPolicy):
+        add_residual(source, policy)
+    else:
+        source.use("step.c")
+    header = HEADER.format(title=title, period=period, real=source.real)
+    return {"heli_controller.h": header, "heli_controller.c": source.text(title)}
+
+
+def add_base(source: CSource, policy: Policy, rig: Rig, name: str) -> None:
+    """Everything but a learned correction."""
+    if isinstance(policy, TrackingPolicy):
+        add_thrust_map(source, policy.rig, forward=False)
+        source.define(SAMPLES=policy.x.shape[1])
+        source.array("STATE", policy.x.T)
+        source.array("FEEDFORWARD", policy.v.T)
+        source.array("GAIN", policy.gains.reshape(12, -1).T)
+        source.use("tracking.c")
+    elif isinstance(policy, ModelPolicy):
+        add_model_based(source, policy)
+    elif isinstance(policy, ConstantVoltage | MiddleVoltage):
+        source.define(SAMPLES=2, CONSTANT_VOLTAGE=float(policy(0.0, np.zeros(6))[0]))
+        source.use("constant.c")
+    else:
+        raise ValueError(f"policy = {name!r}: must be one that C can express, and {type(policy).__name__} is not")
+
+
+def add_model_based(source: CSource, policy: ModelPolicy) -> None:
+    """Observer, predictor and regulator of a `ModelPolicy`."""
+    regulator, actuator, rig = policy.regulator, policy.actuator, policy.regulator.rig
+    period, p = policy.control_period, rig.parameters
+    add_thrust_map(source, rig, forward=True)
+    decays = [math.exp(-share * period / actuator.lag) if actuator.lag else 0.0 for share in (0.5, 1.0)]
+    source.define(
+        SAMPLES=policy.x.shape[1],
+        GAINS=regulator.gains.shape[1],
+        DELAY=actuator.delay,
+        LAGGING=regulator.lagging,
+        INTEGRATING=regulator.integrating,
+        OBSERVING=policy.observer is not None,
+        HALF_DECAY=decays[0],
+        DECAY=decays[1],
+        **{name.upper(): float(getattr(p, name)) for name in ("a1", "a2", "a3", "b1", "b2", "b3", "c1", "c2", "c3")},
+    )
+    source.array("STATE", regulator.x.T)
+    source.array("VOLTAGE", regulator.u.T)
+    source.array("HOLD", np.stack(virtual_input(rig.thrust(regulator.u))).T)
+    source.array("FEEDFORWARD", np.stack(virtual_input(rig.thrust(regulator.command))).T)
+    source.array("GAIN", regulator.gains.reshape(-1, policy.x.shape[1]).T)
+    source.use("model_based.c")
+    if policy.observer is not None:
+        pitch_min, pitch_max = regulator.pitch_limits
+        source.define(
+            SETTLING=settling_periods(period),
+            PITCH_MIN=pitch_min,
+            PITCH_MAX=pitch_max,
+            LEAST_LIFT=LEAST_LIFT * -p.a2 / p.b2,
+        )
+        source.array("OBSERVER", policy.observer.gains.reshape(27, -1).T)
+        source.use("accommodate.c")
+    source.use("regulate.c")
+
+
+def add_thrust_map(source: CSource, rig: Rig, forward: bool) -> None:
+    """`front_voltage` and `back_voltage`, and with `forward` their inverses too."""
+    for rotor in ("front", "back"):
+        curve = getattr(rig.thrust_map, rotor)
+        source.code.append(thrust_curve(source, rotor, curve, forward))
+
+
+def thrust_curve(source: CSource, rotor: str, curve: ThrustCurve, forward: bool) -> str:
+    """The C functions of one rotor's curve."""
+    if isinstance(curve, TableCurve):
+        upper, points = rotor.upper(), len(curve.voltages)
+        below, above = curve.end_slopes
+        rounding = 4.0 * np.finfo(source.dtype).eps * max(map(abs, curve.voltages))
+        source.define(**{f"{upper}_POINTS": points, f"{upper}_BELOW": below, f"{upper}_ABOVE": above})
+        source.define(ROUNDING=rounding)
+        source.array(f"{upper}_VOLTAGES", curve.voltages)
+        source.array(f"{upper}_THRUSTS", curve.thrusts)
+        source.array(f"{upper}_CUBIC", curve.cubics.c.T)
+        return (TEMPLATES / "table_curve.c").read_text().replace("@rotor@", rotor).replace("@ROTOR@", upper)
+    assert isinstance(curve, PowerCurve)
+    number, zone = source.number, source.number(curve.dead_zone)
+
+    def power(value: str, exponent: float) -> str:
+        known = {0.5: f"SQRT({value})", 1.0: value, 2.0: f"({value}) * ({value})"}
+        return known.get(exponent, f"POW({value}, {number(exponent)})")
+
+    backward = f"-({power(f'f / {number(curve.k_minus)}', 1.0 / curve.exponent)} + {zone})" if curve.k_minus else "0"
+    text = f"""
+static real {rotor}_voltage(real f) {{
+    if (f > REAL(0.0)) {{
+        return {power(f"f / {number(curve.k_plus)}", 1.0 / curve.exponent)} + {zone};
+    }}
+    return f < REAL(0.0) ? {backward} : f;
+}}
+"""
+    if forward:
+        text += f"""
+static real {rotor}_thrust(real u) {{
+    const real beyond = FABS(u) - {zone};
+    if (!(beyond > REAL(0.0))) {{
+        return REAL(0.0);
+    }}
+    return (u > REAL(0.0) ? {number(curve.k_plus)} : {number(curve.k_minus)}) * {power("beyond", curve.exponent)};
+}}
+"""
+    return text
+
+
+def add_residual(source: CSource, policy: ResidualPolicy) -> None:
+    """The learned correction."""
+    network = policy.network
+    head = network.head if isinstance(network, RecurrentNetwork) else network
+    if not isinstance(head, Network):
+        raise ValueError(f"policy: its network must be one that C can express, and {type(network).__name__} is not")
+    on_model = isinstance(policy.base, ModelPolicy)
+    groups = {group for group in policy.feature_groups if group != "estimate" or on_model}
+    inputs = (network.weight_input if isinstance(network, RecurrentNetwork) else head.weights[0]).shape[1]
+    hidden = network.size if isinstance(network, RecurrentNetwork) else 1
+    corrects = on_model and policy.scale > 0.0 and policy.base.actuator.delay > 0  # type: ignore[union-attr]
+    source.define(
+        SCALE=policy.scale,
+        SATURATED_FIRST=policy.law == "saturated",
+        CORRECTS_MODEL=corrects,
+        PAST=max(policy.past_steps),
+        FEATURES=inputs,
+        RECURRENT=isinstance(network, RecurrentNetwork),
+        HIDDEN=hidden,
+        WIDEST=max(inputs, hidden, *(len(bias) for bias in head.biases)),
+        FEATURE_CLIP=FEATURE_CLIP,
+        INTEGRAL_SCALE=INTEGRAL_SCALE,
+        DISTURBANCE_SCALE=DISTURBANCE_SCALE,
+        PREVIEWED=len(policy.preview),
+        **{f"SEES_{group.upper()}": group in groups for group in FEATURE_GROUPS},
+    )
+    source.settings["TOLERANCE"] = f"{{{', '.join(map(source.number, TOLERANCE))}}}"
+    source.settings["PAST_STEPS"] = f"{{{', '.join(map(str, policy.past_steps))}}}"
+    if isinstance(policy.base, ConstantVoltage | MiddleVoltage):
+        raise ValueError("policy: its base must follow a reference to be exported")
+    if "voltages" in groups:
+        source.array("NOMINAL", policy.u.T)
+    if "preview" in groups:
+        source.array("PREVIEW", policy.preview.T)
+    if isinstance(network, RecurrentNetwork):
+        source.array("CELL_INPUT", network.weight_input.ravel())
+        source.array("CELL_HIDDEN", network.weight_hidden.ravel())
+        source.array("CELL_INPUT_BIAS", network.bias_input)
+        source.array("CELL_HIDDEN_BIAS", network.bias_hidden)
+    lines = []
+    source.use("residual.c")
+    if isinstance(network, RecurrentNetwork):
+        lines += ["    recur(a);", "    for (int i = 0; i < HIDDEN; i++) {", "        a[i] = seen.hidden[i];", "    }"]
+    for layer, (weight, bias) in enumerate(zip(head.weights, head.biases)):
+        outputs, width = weight.shape
+        source.array(f"WEIGHT_{layer}", weight.ravel())
+        source.array(f"BIAS_{layer}", bias)
+        squashed = layer < len(head.weights) - 1 or head.tanh_output
+        lines += [
+            f"    affine(WEIGHT_{layer}, BIAS_{layer}, a, {width}, {outputs}, b);",
+            f"    for (int i = 0; i < {outputs}; i++) {{",
+            f"        a[i] = {'TANH(b[i])' if squashed else 'b[i]'};",
+            "    }",
+        ]
+    body = "\n".join(lines)
+    function = f"\n/* In place: features to actions. */\nstatic void network(real *a, real *b) {{\n{body}\n}}\n"
+    source.code[-1] = source.code[-1].replace("\nvoid heli_reset", f"{function}\nvoid heli_reset", 1)
