@@ -15,7 +15,6 @@ from heli_gym.baselines.commands.export import Args, compiled, exported, main
 from heli_gym.baselines.control.c_source import c_source
 from heli_gym.cli import CommandError
 from heli_gym.env import Heli3DOFEnv, find_reference
-from heli_gym.task import to_action
 
 PERIOD = 0.02
 TRAVEL_360 = find_reference("travel-360")
@@ -55,7 +54,7 @@ def flown(policy, reference, plant, seed=3):
     policy.reset(np.random.default_rng(0))
     x, u, over = [info["state"]], [], False
     while not over:
-        action = to_action(policy(info["time"], info["measurement"]), env.voltage_limits)
+        action = env.to_action(policy(info["time"], info["measurement"]))
         _, _, terminated, truncated, info = env.step(action)
         x.append(info["state"])
         u.append(info["voltage"])
