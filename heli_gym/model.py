@@ -35,13 +35,14 @@ def voltage(f: ArrayLike, parameters: HelicopterParameters = HelicopterParameter
     return np.sign(f) * np.sqrt(ratio)
 
 
-def power_thrust(u: Any, k_plus: Any, k_minus: Any, exponent: Any, dead_zone: Any) -> Any:
+def power_thrust(u: Any, k_plus: Any, k_minus: Any, exponent: Any, dead_zone: Any, power: Callable = pow) -> Any:
     """Thrust in N of a rotor at the voltage u in V: k_plus or k_minus (N/V^exponent) times (|u| - dead_zone)^exponent.
 
-    Generalises (2): exponent 2 without a dead zone is that, exponent 1 a linear map. Free of branches, for the kernels.
+    Generalises (2): exponent 2 without a dead zone is that, exponent 1 a linear map. Free of branches, for the
+    kernels, which bring a `power` of their own.
     """
     excess = abs(u) - dead_zone
-    magnitude = (0.5 * (excess + abs(excess))) ** exponent
+    magnitude = power(0.5 * (excess + abs(excess)), exponent)
     direction = u / (abs(u) + TINY)
     return 0.5 * ((k_plus + k_minus) + (k_plus - k_minus) * direction) * magnitude
 

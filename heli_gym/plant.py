@@ -1,9 +1,8 @@
-"""What stands between the voltage and the measurement: rotors, friction, disturbances, sensors; and the presets.
+"""What stands between the voltage and the measurement: rotors, friction, table, disturbances, sensors; and the presets.
 
-A Plant is made of small values that combine. Any number in them, but for counts and delays, may be a `Uniform` range,
-from which every episode draws. The ranges of the presets are those of published models and data of such rigs, except
-that travel damping ends at 0.20 of the published 0.48 1/s (see `LAB_FRICTION`); none was measured on one. Controllers
-are designed on the nominal parameters only, and are never shown a draw.
+A Plant is made of small values that combine. Any number in them, but for counts and tables of points, may be a
+`Uniform` range, from which every episode draws. `docs/plants.md` says which numbers of the presets are measured and
+which are assumed. Controllers are designed on nominal parameters only, and are never shown a draw.
 """
 
 import itertools
@@ -17,13 +16,30 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.rigid_body import VARIANTS, solve_rigid_body
+from heli_gym.rigid_body import VARIANTS, RigidBodyParameters, solve_rigid_body
+from heli_gym.thrust_map import EXPONENTS, PowerCurve, TableCurve, ThrustMap
 
 AXES = ("travel", "elevation", "pitch")
 ROTORS = ("front", "back")
 HELD_OUT_SEED = 2**31  # episodes of evaluations count their seeds from here on; tuning and training use smaller ones
 TURN = 2.0 * math.pi  # rad
 COULOMB_RATE = 0.02  # rad/s, over which Coulomb friction changes sign: smooth, so that RK4 keeps its order
+
+# What is beyond these is no laboratory helicopter, and would overflow.
+LARGEST_VISCOUS = 1000.0  # 1/s, the stiffest that the integrator's shortest steps follow
+LARGEST_COULOMB = LARGEST_VISCOUS * COULOMB_RATE  # rad/s², likewise
+LARGEST_ACCELERATION = 1000.0  # rad/s²
+LARGEST_DELAY = 0.5  # s
+LARGEST = 1e4  # of coefficients, masses and lengths, in SI units
+PLAIN_FRICTION = 5.0  # 1/s, up to which one Runge-Kutta step per control period serves (3)
+
+# Contact with the table: each of two feet is a spring and a damper, with which the helicopter at rest on both bounces
+# with this frequency and damping, as stiff as steps of 10 ms follow.
+CONTACT_FREQUENCY = 30.0  # rad/s
+CONTACT_DAMPING = 1.0
+FOOT_SPREAD = 0.27  # distance of a foot from the arm, in lengths of the arm: 0.178 of 0.660 m
+TABLE_ELEVATION = math.radians(27.5)  # rad, of the published rigs
+NO_TABLE = 1e3  # rad, an elevation that is never reached
 
 
 @dataclass(frozen=True)
@@ -34,24 +50,35 @@ class Uniform:
     high: float
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.low) and math.isfinite(self.high) and self.low <= self.high):
+        if not (is_finite(self.low) and is_finite(self.high) and self.low <= self.high):
             raise ValueError(f"{self}: must be finite numbers with low <= high")
 
 
 Number: TypeAlias = Any  # a float, or a Uniform to draw one from
 
 
+def is_finite(value: Any) -> bool:
+    """Whether the value is a number that is finite as a float."""
+    try:
+        return not isinstance(value, str) and math.isfinite(value)
+    except (TypeError, ValueError, OverflowError):
+        return False
+
+
 def check_number(name: str, value: Number, low: float, high: float) -> None:
     """Raises ValueError unless the number, or all of its range, is within [low, high]."""
     bounds = (value.low, value.high) if isinstance(value, Uniform) else (value, value)
-    if not (low <= bounds[0] and bounds[1] <= high):
-        raise ValueError(f"{name} = {value}: must be at least {low:g} and at most {high:g}")
+    try:
+        allowed = not isinstance(value, str) and low <= float(bounds[0]) and float(bounds[1]) <= high
+    except (TypeError, ValueError, OverflowError):
+        allowed = False
+    if not allowed:
+        raise ValueError(f"{name} = {value!r}: must be a number, at least {low:g} and at most {high:g}")
 
 
-def check_finite(name: str, value: Number) -> None:
-    """Raises ValueError unless it is a finite number, or a range, which is finite."""
-    if not (isinstance(value, Uniform) or math.isfinite(value)):
-        raise ValueError(f"{name} = {value}: must be a finite number")
+def check_magnitude(name: str, value: Number, largest: float) -> None:
+    """Raises ValueError unless the magnitude of the number, or of all of its range, is at most `largest`."""
+    check_number(name, value, -largest, largest)
 
 
 def magnitude(value: Number) -> Any:
@@ -59,10 +86,23 @@ def magnitude(value: Number) -> Any:
     return max(abs(value.low), abs(value.high)) if isinstance(value, Uniform) else abs(value)
 
 
-def check_choice(name: str, value: str, choices: tuple[str, ...]) -> None:
+def check_choice(name: str, value: Any, choices: tuple[str, ...]) -> None:
     """Raises ValueError unless the value is one of the choices."""
-    if value not in choices:
+    if not isinstance(value, str) or value not in choices:
         raise ValueError(f"{name} = {value!r}: must be one of {', '.join(map(repr, choices))}")
+
+
+def check_tuple(name: str, value: Any, labels: Sequence[str]) -> None:
+    """Raises ValueError unless the value is a tuple with one item for each label."""
+    if not isinstance(value, tuple) or len(value) != len(labels):
+        raise ValueError(f"{name} = {value!r}: must be one value each for {', '.join(labels)}")
+
+
+def check_type(name: str, value: Any, kinds: Any, what: str) -> None:
+    """Raises ValueError unless the value, or each option of a OneOf, is of one of the kinds."""
+    for option in value.options if isinstance(value, OneOf) else (value,):
+        if not isinstance(option, kinds):
+            raise ValueError(f"{name} = {option!r}: must be {what}")
 
 
 @dataclass(frozen=True)
@@ -70,6 +110,10 @@ class OneOf:
     """Alternatives, of which every episode draws one."""
 
     options: tuple[Any, ...]
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.options, tuple) or not self.options:
+            raise ValueError(f"options = {self.options!r}: must be a tuple of at least one alternative")
 
 
 def alternatives(value: Any) -> list:
@@ -80,7 +124,7 @@ def alternatives(value: Any) -> list:
 
 
 def count_ranges(value: Any) -> int:
-    """How many ranges there are in it, however deep."""
+    """Number of ranges in a value, however deep."""
     return 1 if isinstance(value, Uniform) else sum(map(count_ranges, parts_of(value)))
 
 
@@ -93,14 +137,14 @@ def at_uniforms(value: Any, uniforms: Iterator[float]) -> Any:
 
 def parts_of(value: Any) -> list:
     """The fields of a dataclass, the items of a tuple, nothing of anything else."""
-    if is_dataclass(value) and not isinstance(value, Uniform):
+    if is_dataclass(value) and not isinstance(value, Uniform | TableCurve):
         return [getattr(value, f.name) for f in fields(value)]
     return list(value) if isinstance(value, tuple) else []
 
 
 def with_parts(value: Any, parts: Sequence) -> Any:
     """The value with other parts."""
-    if is_dataclass(value) and not isinstance(value, Uniform):
+    if is_dataclass(value) and not isinstance(value, Uniform | TableCurve):
         return replace(value, **{f.name: part for f, part in zip(fields(value), parts)})  # type: ignore[type-var]
     if isinstance(value, tuple):
         return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
@@ -109,22 +153,22 @@ def with_parts(value: Any, parts: Sequence) -> Any:
 
 @dataclass(frozen=True)
 class Rotors:
-    """Amplifiers and rotors: how thrust follows from the voltage that a controller asks for.
-
-    The delay is a whole number, and no range.
-    """
+    """Amplifiers and rotors: how thrust follows from the voltage that a controller commands."""
 
     lag: Number = 0.0  # s, first order, of the rotor speed (and so of the root of the thrust) behind the voltage
     thrust_loss: Number = 0.0  # share that is missing: battery, air density, wear
     slew: Number = math.inf  # V/s, the amplifier's fastest change
-    delay: int = 0  # control periods from the measurement to the voltage
+    delay: Number = 0.0  # s, from the measurement to the voltage; need not be a multiple of the control period
+    gains: tuple[Number, Number] = (1.0, 1.0)  # of the thrusts of the front and of the back rotor
 
     def __post_init__(self) -> None:
         check_number("lag", self.lag, 0.0, math.inf)
         check_number("thrust_loss", self.thrust_loss, 0.0, 1.0)
         check_number("slew", self.slew, 0.0, math.inf)
-        if not (isinstance(self.delay, Integral) and 0 <= self.delay <= 1000):
-            raise ValueError(f"delay = {self.delay}: must be a whole number, at least 0 and at most 1000")
+        check_number("delay", self.delay, 0.0, LARGEST_DELAY)
+        check_tuple("gains", self.gains, ROTORS)
+        for gain in self.gains:
+            check_number("gains", gain, 0.0, 10.0)
 
 
 @dataclass(frozen=True)
@@ -135,17 +179,27 @@ class Friction:
     coulomb: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)  # rad/s², against the direction of motion
 
     def __post_init__(self) -> None:
-        for name in ("viscous", "coulomb"):
-            if len(getattr(self, name)) != len(AXES):
-                raise ValueError(f"{name} = {getattr(self, name)}: must be one value each for {', '.join(AXES)}")
+        for name, largest in (("viscous", LARGEST_VISCOUS), ("coulomb", LARGEST_COULOMB)):
+            check_tuple(name, getattr(self, name), AXES)
             for value in getattr(self, name):
-                check_number(name, value, 0.0, math.inf)
-                check_finite(name, value)
+                check_number(name, value, 0.0, largest)
+
+
+@dataclass(frozen=True)
+class Table:
+    """The table, on which the helicopter rests with two feet, below the rotors, before it takes off."""
+
+    elevation: Number = TABLE_ELEVATION  # rad, positive down, of the arm at rest
+    friction: Number = 0.3  # coefficient of the feet's Coulomb friction, which holds the travel
+
+    def __post_init__(self) -> None:
+        check_magnitude("elevation", self.elevation, math.pi / 2)
+        check_number("friction", self.friction, 0.0, 10.0)
 
 
 @dataclass(frozen=True)
 class Sensors:
-    """Encoders of the three angles; rates are estimated from them. The counts are whole numbers, and no ranges.
+    """Encoders of the three angles, from which rates are estimated. The counts are whole numbers, and no ranges.
 
     The estimate is the filtered difference quotient r+ = a r + (1 - a) (q+ - q) / dt with a = exp(-dt / rate_filter),
     which is s / (1 + rate_filter s) sampled at the control period dt.
@@ -154,18 +208,22 @@ class Sensors:
     counts: tuple[int, int, int] = (8192, 4096, 4096)  # per revolution
     noise: Number = 0.0  # rad, standard deviation on each angle
     rate_filter: Number = 0.03  # s
+    zeros: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)  # rad, the true angles at which the sensors read zero
 
     def __post_init__(self) -> None:
-        if len(self.counts) != len(AXES) or not all(isinstance(n, Integral) and n >= 1 for n in self.counts):
+        check_tuple("counts", self.counts, AXES)
+        if not all(isinstance(n, Integral) and 1 <= n <= 2**31 for n in self.counts):
             raise ValueError(f"counts = {self.counts}: must be a positive whole number each for {', '.join(AXES)}")
-        check_number("noise", self.noise, 0.0, math.inf)
-        check_finite("noise", self.noise)
-        check_number("rate_filter", self.rate_filter, 1e-6, math.inf)
+        check_number("noise", self.noise, 0.0, 1.0)
+        check_number("rate_filter", self.rate_filter, 1e-3, math.inf)
+        check_tuple("zeros", self.zeros, AXES)
+        for zero in self.zeros:
+            check_magnitude("zeros", zero, math.pi)
 
 
 @dataclass(frozen=True)
 class Push:
-    """A torque on one axis from a time on, for a while: a step if that is long, a knock if it is short."""
+    """Constant acceleration on one axis from `time` to `time + duration`: a step if long, a knock if short."""
 
     axis: str
     acceleration: Number  # rad/s²
@@ -174,14 +232,14 @@ class Push:
 
     def __post_init__(self) -> None:
         check_choice("axis", self.axis, AXES)
-        check_finite("acceleration", self.acceleration)
-        check_finite("time", self.time)
+        check_magnitude("acceleration", self.acceleration, LARGEST_ACCELERATION)
+        check_time(self.time)
         check_number("duration", self.duration, 0.0, math.inf)
 
 
 @dataclass(frozen=True)
 class Gust:
-    """A torque on one axis that wanders: an Ornstein-Uhlenbeck process, from zero."""
+    """Random acceleration on one axis: an Ornstein-Uhlenbeck process that starts at zero."""
 
     axis: str
     strength: Number  # rad/s², standard deviation
@@ -189,28 +247,27 @@ class Gust:
 
     def __post_init__(self) -> None:
         check_choice("axis", self.axis, AXES)
-        check_number("strength", self.strength, 0.0, math.inf)
-        check_finite("strength", self.strength)
+        check_number("strength", self.strength, 0.0, LARGEST_ACCELERATION)
         check_number("correlation_time", self.correlation_time, 1e-6, math.inf)
 
 
 @dataclass(frozen=True)
 class MovingMass:
-    """A mass that slides along the arm, and so changes the weight's a2 in (3), linearly over a while."""
+    """A mass that slides along the arm, and so changes the weight's a2 in (3) linearly over a duration."""
 
     a2_change: Number  # rad/s²
     time: Number  # s
     duration: Number = 1.0  # s
 
     def __post_init__(self) -> None:
-        check_finite("a2_change", self.a2_change)
-        check_finite("time", self.time)
+        check_magnitude("a2_change", self.a2_change, LARGEST_ACCELERATION)
+        check_time(self.time)
         check_number("duration", self.duration, 1e-6, math.inf)
 
 
 @dataclass(frozen=True)
 class RotorFault:
-    """A rotor that from a time on gives only a part of its thrust."""
+    """A rotor that loses a share of its thrust at a time."""
 
     rotor: str
     loss: Number  # share
@@ -219,15 +276,37 @@ class RotorFault:
     def __post_init__(self) -> None:
         check_choice("rotor", self.rotor, ROTORS)
         check_number("loss", self.loss, 0.0, 1.0)
-        check_finite("time", self.time)
+        check_time(self.time)
 
 
-Disturbance = Push | Gust | MovingMass | RotorFault
+@dataclass(frozen=True)
+class ThrustDrift:
+    """Linear loss of a share of both rotors' thrust over a duration, as a battery's; a gain if negative."""
+
+    loss: Number  # share
+    time: Number = 0.0  # s
+    duration: Number = 10.0  # s
+
+    def __post_init__(self) -> None:
+        check_number("loss", self.loss, -1.0, 1.0)
+        check_time(self.time)
+        check_number("duration", self.duration, 1e-6, math.inf)
+
+
+def check_time(value: Number) -> None:
+    """Raises ValueError unless a disturbance can start at this time."""
+    check_magnitude("time", value, 1e6)
+
+
+Disturbance = Push | Gust | MovingMass | RotorFault | ThrustDrift
 
 
 @dataclass(frozen=True)
 class Plant:
-    """What is flown. By default equation (3), exactly, and its true state is what is measured."""
+    """A helicopter, its actuators and its sensors. By default equation (3), exactly, whose true state is measured.
+
+    Raises ValueError that names the field, if a value is of the wrong type, not finite, or beyond any such rig.
+    """
 
     parameters: HelicopterParameters = field(default_factory=HelicopterParameters)
     rig: Any = None  # RigidBodyParameters, or a OneOf of such: the full rigid body, in place of equation (3)
@@ -235,9 +314,60 @@ class Plant:
     friction: Friction = field(default_factory=Friction)
     sensors: Sensors | None = None  # without any, the state itself is measured
     disturbances: tuple[Disturbance, ...] = ()
+    thrust_map: ThrustMap | None = None  # in place of (2)
+    hover_voltage: Number = None  # V, at which both rotors hold (3) level: scales a map of power curves
+    travel_lift: Number = 0.0  # 1/rad, acceleration of elevation (positive down) per square of the travel rate
+    table: Table | None = None  # without any, elevation has no stop
+
+    def __post_init__(self) -> None:
+        check_type("parameters", self.parameters, HelicopterParameters, "HelicopterParameters")
+        for parameters in alternatives(self.parameters):
+            for name, value in parameters._asdict().items():
+                check_magnitude(f"parameters.{name}", value, LARGEST)
+            for name in ("c1", "c2", "c3"):
+                check_number(f"parameters.{name}", getattr(parameters, name), 0.0, LARGEST_VISCOUS)
+        check_type("rig", self.rig, RigidBodyParameters | None, "RigidBodyParameters or None")
+        for rig in alternatives(self.rig):
+            for name, value in rig._asdict().items() if rig else ():
+                positive = name in ("l_h", "l_p", "l_c", "m_h", "m_c", "r")
+                check_number(f"rig.{name}", value, 1e-6 if positive else -LARGEST, LARGEST)
+        check_type("rotors", self.rotors, Rotors, "Rotors")
+        check_type("friction", self.friction, Friction, "Friction")
+        check_type("sensors", self.sensors, Sensors | None, "Sensors or None")
+        if not isinstance(self.disturbances, tuple):
+            raise ValueError(f"disturbances = {self.disturbances!r}: must be a tuple of disturbances")
+        for value in self.disturbances:
+            check_type("disturbances", value, Disturbance, "Push, Gust, MovingMass, RotorFault or ThrustDrift")
+        check_magnitude("travel_lift", self.travel_lift, 10.0)
+        check_type("table", self.table, Table | None, "Table or None")
+        self._check_thrust_map()
+
+    def _check_thrust_map(self) -> None:
+        check_type("thrust_map", self.thrust_map, ThrustMap | None, "ThrustMap or None")
+        for thrust_map in alternatives(self.thrust_map):
+            for rotor in ROTORS if thrust_map else ():
+                curve, name = getattr(thrust_map, rotor), f"thrust_map.{rotor}"
+                check_type(name, curve, PowerCurve | TableCurve, "a PowerCurve or a TableCurve")
+                if isinstance(curve, TableCurve):
+                    curve.check(name)
+                    continue
+                check_magnitude(f"{name}.k_plus", curve.k_plus, LARGEST)
+                check_magnitude(f"{name}.k_minus", curve.k_minus, LARGEST)
+                check_number(f"{name}.exponent", curve.exponent, *EXPONENTS)
+                check_number(f"{name}.dead_zone", curve.dead_zone, 0.0, 1000.0)
+            is_table = thrust_map and isinstance(thrust_map.front, TableCurve) | isinstance(thrust_map.back, TableCurve)
+            if self.hover_voltage is not None and is_table:
+                raise ValueError(f"hover_voltage = {self.hover_voltage}: must be None where the thrust map is a table")
+        if self.hover_voltage is not None:
+            check_number("hover_voltage", self.hover_voltage, 0.1, 1000.0)
+            for p in alternatives(self.parameters):
+                high = p.b2.high if isinstance(p.b2, Uniform) else p.b2
+                low = p.a2.low if isinstance(p.a2, Uniform) else p.a2
+                if not (high < 0.0 < low):
+                    raise ValueError(f"hover_voltage = {self.hover_voltage}: must be None unless a2 > 0 > b2")
 
     def __deepcopy__(self, memo: dict) -> "Plant":
-        """Itself, for it never changes: Stable-Baselines3 copies every info, in which it is."""
+        """The plant itself, for it never changes: Stable-Baselines3 copies every info that may hold it."""
         return self
 
     @cached_property
@@ -247,18 +377,18 @@ class Plant:
 
     @cached_property
     def uniforms(self) -> int:
-        """How many numbers in [0, 1) a draw takes: one for the alternative, and one for each range."""
+        """Number of uniform numbers in [0, 1) that a draw takes: one for the alternative, and one for each range."""
         ranges = max(map(count_ranges, self.alternatives))
         return 1 + ranges if ranges or len(self.alternatives) > 1 else 0
 
     def at(self, uniforms: np.ndarray) -> "Plant":
-        """The plant out of the ranges at these numbers (self.uniforms,) in [0, 1)."""
+        """The plant drawn at these numbers (self.uniforms,) in [0, 1)."""
         if not self.uniforms:
             return self
         return at_uniforms(self.alternatives[int(uniforms[0] * len(self.alternatives))], iter(uniforms[1:].tolist()))
 
     def draw(self, rng: np.random.Generator) -> "Plant":
-        """One plant out of the ranges."""
+        """A plant drawn from the ranges."""
         return self.at(rng.random(self.uniforms))
 
     @property
@@ -268,14 +398,33 @@ class Plant:
 
     @cached_property
     def is_noisy(self) -> bool:
-        """Whether chance plays a part in a flight after its start."""
+        """Whether a flight is random after its start."""
         noise = 0.0 if self.sensors is None else self.sensors.noise
         return noise != 0.0 or any(isinstance(value, Gust) for value in self.disturbances)
 
     @cached_property
+    def stiffness(self) -> float:
+        """The fastest rate in 1/s at which friction damps an axis, in any draw."""
+        return max(
+            magnitude(viscous) + magnitude(coulomb) / COULOMB_RATE + magnitude(own)
+            for p in self.alternatives
+            for viscous, coulomb, own in zip(p.friction.viscous, p.friction.coulomb, p.parameters[-3:])
+        )
+
+    @cached_property
     def is_plain(self) -> bool:
         """Whether it is no more than equation (3), which takes one Runge-Kutta step per control period."""
-        return self.rig is None and self.rotors.lag == 0.0 and self.friction == Friction() and not self.disturbances
+        same = replace(self, parameters=HelicopterParameters(), sensors=None, rotors=replace(self.rotors, **IMMEDIATE))
+        return same == Plant() and self.stiffness <= PLAIN_FRICTION
+
+    @cached_property
+    def is_general(self) -> bool:
+        """Whether it has an effect beyond rotors, friction and disturbances, which takes the most general loops."""
+        own = {name: getattr(self, name) for name in ("parameters", "rig", "rotors", "friction", "sensors")}
+        return self != Plant(**own, disturbances=self.disturbances)
+
+
+IMMEDIATE = {"thrust_loss": 0.0, "slew": math.inf, "delay": 0.0, "gains": (1.0, 1.0)}  # effects that keep (3) as it is
 
 
 def friction(rate: Any, viscous: Any, coulomb: Any) -> Any:
@@ -302,16 +451,54 @@ def with_friction_and_disturbances(
     )
 
 
+def with_lift(dx: tuple, travel_lift: Any) -> tuple:
+    """The time derivative dx (6, ...) with the acceleration of elevation by the travel rate, travel_lift in 1/rad."""
+    dq1, ddq1, dq2, ddq2, dq3, ddq3 = dx
+    return dq1, ddq1, dq2, ddq2 + travel_lift * dq1 * dq1, dq3, ddq3
+
+
+def with_contact(x: Any, dx: tuple, parameters: Any, table: Any, sin: Any = np.sin, cos: Any = np.cos) -> tuple:
+    """The time derivative dx (6, ...) of the state x with the forces of a table (rad, friction) on two feet.
+
+    A foot pushes like the rotor above it, with a spring and a damper, and never pulls; both hold the travel by Coulomb
+    friction.
+    """
+    dq1, ddq1, dq2, ddq2, dq3, ddq3 = dx
+    p, (elevation, coefficient) = parameters, table
+    turn, spread = FOOT_SPREAD * cos(x[4]) * dq3, FOOT_SPREAD * sin(x[4])
+    front = foot_force(x[2] - spread - elevation, dq2 - turn, p.b2)
+    back = foot_force(x[2] + spread - elevation, dq2 + turn, p.b2)
+    normal = front + back
+    slip = dq1 / (dq1 * dq1 + COULOMB_RATE * COULOMB_RATE) ** 0.5
+    return (
+        dq1,
+        ddq1 - abs(p.b1) * coefficient * normal * slip,
+        dq2,
+        ddq2 - abs(p.b2) * normal,
+        dq3,
+        ddq3 + p.b3 * (front - back),
+    )
+
+
+def foot_force(depth: Any, rate: Any, b2: Any) -> Any:
+    """Force in N of the table on a foot that is `depth` rad of elevation below its top and sinks at a rate in rad/s."""
+    deep = 0.5 * (depth + abs(depth))
+    damping = 2.0 * CONTACT_DAMPING * CONTACT_FREQUENCY * deep / (deep + 1e-3)  # grows from zero within 1 mrad
+    force = 0.5 * (CONTACT_FREQUENCY * CONTACT_FREQUENCY * deep + damping * rate) / abs(b2)
+    return 0.5 * (force + abs(force))
+
+
 def quantise(angle: Any, counts: Any, floor: Any = np.floor) -> Any:
-    """The angle in rad that an encoder of so many counts per revolution tells."""
+    """The angle in rad as an encoder with this many counts per revolution reads it."""
     count = TURN / counts
     return count * floor(angle / count + 0.5)
 
 
-LAB_ROTORS = Rotors(lag=Uniform(0.05, 0.2), thrust_loss=Uniform(0.0, 0.15), delay=1)
+LAB_ROTORS = Rotors(lag=Uniform(0.05, 0.2), thrust_loss=Uniform(0.0, 0.15), delay=0.02)
 # The published range of travel damping goes on to 0.48 1/s, which the paper's plan, 10 s within 50 degrees of pitch,
-# cannot make up for. At its greatest travel rate, 88 degrees/s, a tilt of 50 degrees outweighs 0.35 1/s and no more;
-# and where it also accelerates, following it takes more than the amplifier's 12 V from 0.25 1/s on.
+# cannot make up for. At its greatest travel rate, 88 degrees/s, a hover tilted by 50 degrees outweighs 0.34 1/s at the
+# plan's elevation (0.30 level); and where it also accelerates, following it takes more than the amplifier's 12 V from
+# 0.25 1/s on.
 LAB_FRICTION = Friction(viscous=(Uniform(0.017, 0.2), Uniform(0.04, 0.30), Uniform(0.04, 0.46)))
 DRAG_RATIO = Uniform(0.015, 0.03)  # m
 

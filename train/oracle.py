@@ -73,7 +73,11 @@ class Oracle:
             raise ValueError(f"plant = {plant}: must have no Coulomb friction, slew limit or disturbances")
         if not example.rotors.lag > 0.0:
             raise ValueError(f"plant: the lag of its rotors is {example.rotors.lag:g} s; must be more than 0 s")
-        self.delay, self.is_rigid = example.rotors.delay, example.rig is not None
+        self.delay, self.is_rigid = round(example.rotors.delay / control_period), example.rig is not None
+        if abs(example.rotors.delay - self.delay * control_period) > 1e-9 or example.is_general:
+            raise ValueError(
+                f"plant = {plant}: must have a delay of whole control periods, and no effect beyond friction"
+            )
         x_ref, u_ref = control_grid(reference, control_period)
         self.x_ref, self.u_ref = x_ref, u_ref[:, :-1]
         steps = self.u_ref.shape[1]

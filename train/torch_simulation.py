@@ -22,15 +22,16 @@ from heli_gym.simulation.simulation import Simulation
 from heli_gym.task import OBSERVATION_LIMIT, cost, crashed, observed_error, observed_voltage, reward, to_voltage
 
 
-class Fleet(NamedTuple):
+class Batch(NamedTuple):
     """Plants and references of N helicopters. Tensors (..., N)."""
 
     body: Body
-    share: torch.Tensor  # of the thrust that is left
+    share: torch.Tensor  # (2, N), of the thrust that is left to each rotor
     lag_decay: torch.Tensor
     has_lag: torch.Tensor
     slew: torch.Tensor  # V/s
     delay: torch.Tensor  # control periods
+    zeros: torch.Tensor  # (3, N), rad
     counts: torch.Tensor  # (3, N), zero for exact sensors
     rate_decay: torch.Tensor
     limits: LimitArrays
@@ -88,20 +89,23 @@ DERIVATIVES = {
 }
 
 
-def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Fleet, State]:
+def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Batch, State]:
     """Copy the helicopters of a simulation, in their present state.
 
-    Raises ValueError if a plant has disturbances or noise.
+    Raises ValueError if a plant has disturbances, noise, or effects beyond rotors and friction.
     """
     settings = shared(simulation.settings.tolist())
-    if settings.disturbances or settings.is_noisy:
-        raise ValueError("plant: disturbances and noise are not simulated in torch")
+    if settings.disturbances or settings.is_noisy or simulation.fly is motion.step_general:
+        raise ValueError(
+            "plant: must have no disturbances, noise, thrust map, table, travel lift or fraction of a period of delay; "
+            "torch does not simulate these"
+        )
 
     r = SimpleNamespace(
         **{name: torch.tensor(value, device=device) for name, value in vars(simulation.record()).items()}
     )
     zero = torch.zeros(1, dtype=r.state.dtype, device=device)
-    fleet = Fleet(
+    batch = Batch(
         body=Body(
             HelicopterParameters(*r.parameters),
             RigidBodyParameters(*r.rig),
@@ -109,11 +113,12 @@ def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Fleet, State]
             r.coulomb,
             (zero, zero, zero, zero),
         ),
-        share=1.0 - r.loss,
+        share=r.share,
         lag_decay=r.lag_decay,
         has_lag=r.lag > 0.0,
         slew=r.slew,
-        delay=r.delay,
+        delay=r.delay_periods,
+        zeros=r.zeros,
         counts=r.counts,
         rate_decay=r.rate_decay,
         limits=LimitArrays(*r.limits, *r.pitch_limits),
@@ -133,72 +138,86 @@ def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Fleet, State]
         rotor=r.rotor,
         step=r.step.long(),
     )
-    return fleet, state
+    return batch, state
 
 
-def step(fleet: Fleet, state: State, actions: torch.Tensor) -> tuple[State, Outcome]:
+def step(batch: Batch, state: State, actions: torch.Tensor) -> tuple[State, Outcome]:
     """Fly a control step of all helicopters under actions (N, 2): `kernels.control_step` without its loops."""
+<<<<<<< HEAD
     s = fleet.settings
     command = to_voltage(actions.T.clamp(-1.0, 1.0), (s.u_low, s.u_high), fleet.hover).clamp(s.u_low, s.u_high)
     motor, pending = apply_amplifier(fleet, state, command)
     rotor = torch.where(fleet.has_lag, state.rotor, motor)
+=======
+    s = batch.settings
+    command = to_voltage(actions.T, (s.u_low, s.u_high)).clamp(s.u_low, s.u_high)
+    motor, pending = apply_amplifier(batch, state, command)
+    rotor = torch.where(batch.has_lag, state.rotor, motor)
+>>>>>>> 1562b0d (Plants as real rigs are: thrust maps, delay in seconds, unequal rotors, zeros, lift, drift, table; stiff friction stable)
     x, h = tuple(state.x), s.period / s.substeps
     for _ in range(int(s.substeps)):
-        x, rotor = integrate(fleet, x, motor, rotor, h)
+        x, rotor = integrate(batch, x, motor, rotor, h)
 
-    at = reference_row(fleet, state)
-    now, then = fleet.table[at].T, fleet.table[at + 1].T
+    at = reference_row(batch, state)
+    now, then = batch.table[at].T, batch.table[at + 1].T
     earned = s.period * reward(axpy(x, -1.0, then[:6]), command - now[6:8])
-    spent = s.period * cost(x[4], command, fleet.limits)
+    spent = s.period * cost(x[4], command, batch.limits)
     terminated = crashed(x[4], s.pitch_limit)
-    truncated = (state.step + 1 == fleet.last) & ~terminated
-    state = State(torch.stack(x), measure(fleet, state, x), command, pending, motor, rotor, state.step + 1)
-    return state, Outcome(observe(fleet, state), earned, spent, terminated, truncated)
+    truncated = (state.step + 1 == batch.last) & ~terminated
+    state = State(torch.stack(x), measure(batch, state, x), command, pending, motor, rotor, state.step + 1)
+    return state, Outcome(observe(batch, state), earned, spent, terminated, truncated)
 
 
-def apply_amplifier(fleet: Fleet, state: State, command: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+def apply_amplifier(batch: Batch, state: State, command: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
     """Voltages (2, N) at the motors, and those still delayed (D, 2, N)."""
     waiting = torch.cat((state.pending, command[None]))
     delay = len(state.pending)
     # the voltages commanded this helicopter's delay ago
-    arriving = waiting[(delay - fleet.delay).long(), :, torch.arange(len(fleet.delay), device=command.device)].T
-    most = fleet.settings.period * fleet.slew
+    arriving = waiting[(delay - batch.delay).long(), :, torch.arange(len(batch.delay), device=command.device)].T
+    most = batch.settings.period * batch.slew
     return torch.minimum(torch.maximum(arriving, state.motor - most), state.motor + most), waiting[1:]
 
 
-def integrate(fleet: Fleet, x: tuple, motor: torch.Tensor, rotor: torch.Tensor, h: float) -> tuple[tuple, torch.Tensor]:
+def integrate(batch: Batch, x: tuple, motor: torch.Tensor, rotor: torch.Tensor, h: float) -> tuple[tuple, torch.Tensor]:
     """Integrate h seconds at constant motor voltages; see `motion.integrate`."""
-    middle = motor + fleet.lag_decay * (rotor - motor)
-    end = motor + fleet.lag_decay * (middle - motor)
+    middle = motor + batch.lag_decay * (rotor - motor)
+    end = motor + batch.lag_decay * (middle - motor)
     inputs = tuple(
-        virtual_input(tuple(fleet.share * thrust(w, fleet.body.parameters) for w in pair))
+        virtual_input(tuple(share * thrust(w, batch.body.parameters) for share, w in zip(batch.share, pair)))
         for pair in (rotor, middle, end)
     )
-    return rk4_step(fleet.derivative, x, inputs, h, fleet.body), end
+    return rk4_step(batch.derivative, x, inputs, h, batch.body), end
 
 
-def measure(fleet: Fleet, state: State, x: tuple) -> torch.Tensor:
+def measure(batch: Batch, state: State, x: tuple) -> torch.Tensor:
     """Measurements (6, N) of the states x (6, N); see `plant.Sensors`."""
-    if not fleet.settings.is_sensed:
+    if not batch.settings.is_sensed:
         return torch.stack(x)
     rows = []
     for axis in range(3):
-        exact = fleet.counts[axis] == 0.0
-        angle = quantise(x[2 * axis], fleet.counts[axis].clamp(min=1.0), torch.floor)
+        exact = batch.counts[axis] == 0.0
+        angle = quantise(x[2 * axis] - batch.zeros[axis], batch.counts[axis].clamp(min=1.0), torch.floor)
         last, rate = state.measured[2 * axis], state.measured[2 * axis + 1]
-        estimate = fleet.rate_decay * rate + (1.0 - fleet.rate_decay) * (angle - last) / fleet.settings.period
+        estimate = batch.rate_decay * rate + (1.0 - batch.rate_decay) * (angle - last) / batch.settings.period
         rows += [torch.where(exact, x[2 * axis], angle), torch.where(exact, x[2 * axis + 1], estimate)]
     return torch.stack(rows)
 
 
-def reference_row(fleet: Fleet, state: State) -> torch.Tensor:
+def reference_row(batch: Batch, state: State) -> torch.Tensor:
     """Present rows (N,) of the references in the table, their last ones at most."""
-    return fleet.first + torch.minimum(state.step, fleet.last)
+    return batch.first + torch.minimum(state.step, batch.last)
 
 
+<<<<<<< HEAD
 def observe(fleet: Fleet, state: State) -> torch.Tensor:
     """Observations (N, OBSERVED), float32."""
     row = fleet.table[reference_row(fleet, state)]
     error = torch.stack(observed_error(state.measured - row[:, :6].T), dim=1)
     shown = torch.cat((error, observed_voltage(state.command.T), row[:, 8:]), dim=1)
     return shown.clamp(-OBSERVATION_LIMIT, OBSERVATION_LIMIT).float()
+=======
+def observe(batch: Batch, state: State) -> torch.Tensor:
+    """Observations (N, 49), float32."""
+    features = batch.table[reference_row(batch, state)]
+    return torch.cat((state.measured.T - features[:, :6], state.command.T, features), dim=1).float()
+>>>>>>> 1562b0d (Plants as real rigs are: thrust maps, delay in seconds, unequal rotors, zeros, lift, drift, table; stiff friction stable)

@@ -41,7 +41,7 @@ from heli_gym.baselines.paper.tvlqr import Q, R, stationary_cost, stationary_gai
 from heli_gym.cli import command, parse
 from heli_gym.model import hover_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters, Limits
-from heli_gym.plant import AXES, PLANTS
+from heli_gym.plant import AXES, PLANTS, Rotors
 from heli_gym.rigid_body import solve_rigid_body
 from heli_gym.simulation.simulation import SUBSTEP
 from heli_gym.storage import atomic_write, check_folder
@@ -223,7 +223,14 @@ def stored_network(name: str, elevation: float, parameters: HelicopterParameters
 
 
 def plain(value: Any) -> Any:
-    """A plant, drawn or not, as JSON can hold it: records by their fields, and None for infinity."""
+    """A plant, drawn or not, as JSON can hold it: records by their fields, and None for infinity.
+
+    The page counts delays in control periods.
+    """
+    if isinstance(value, Rotors):
+        return {f.name: plain(getattr(value, f.name)) for f in fields(value)} | {
+            "delay": round(value.delay / CONTROL_PERIOD)
+        }
     if is_dataclass(value):
         return {f.name: plain(getattr(value, f.name)) for f in fields(value)}
     if hasattr(value, "_asdict"):

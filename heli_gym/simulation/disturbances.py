@@ -5,6 +5,7 @@ from typing import Any
 
 from heli_gym.simulation.fast_math import standard_normal
 from heli_gym.simulation.layout import (
+    AFTER,
     DISTURBANCE,
     DISTURBANCES,
     EFFECT,
@@ -15,6 +16,7 @@ from heli_gym.simulation.layout import (
     ROW,
     STEP,
     TORQUES,
+    H,
     Settings,
     eight,
     put_six,
@@ -32,8 +34,8 @@ def step_gusts(block: Any, n: int, s: Settings) -> None:
                 block[(first + GUST) * ROW + i] = decay * gust + math.sqrt(1.0 - decay * decay) * strength * normal
 
 
-def sum_disturbances(block: Any, n: int, s: Settings, after: Any, h: Any) -> None:
-    """Sum the disturbances over an integration step of h seconds, `after` seconds into the control period.
+def sum_disturbances(block: Any, n: int, s: Settings) -> None:
+    """Sum the disturbances over the integration step H, AFTER the start of the control period.
 
     A push counts for the share of the step in which it is on, so that its impulse is right whatever its duration.
     """
@@ -43,6 +45,7 @@ def sum_disturbances(block: Any, n: int, s: Settings, after: Any, h: Any) -> Non
         first = DISTURBANCES + DISTURBANCE * d
         for i in range(n):
             kind, channel, amount, begin, duration, _, _, gust = eight(block, first, i)
+            after, h = block[AFTER * ROW + i], block[H * ROW + i]
             since = s.period * block[STEP * ROW + i] + after - begin
             on = min(max(since + h, 0.0), duration) - min(max(since, 0.0), duration)  # finite, if the duration is not
             if kind == ORNSTEIN_UHLENBECK:
@@ -50,7 +53,7 @@ def sum_disturbances(block: Any, n: int, s: Settings, after: Any, h: Any) -> Non
             elif kind == RAMP:
                 value = amount * min(max((since + 0.5 * h) / duration, 0.0), 1.0)
             else:
-                value = amount * on / h
+                value = amount * on / (h if h > 0.0 else 1.0)
             row = TORQUES + int(channel)
             if row < EFFECT:
                 block[row * ROW + i] += value

@@ -21,8 +21,6 @@ from heli_gym.simulation.disturbances import step_gusts, sum_disturbances
 from heli_gym.simulation.layout import (
     COMMAND,
     COST,
-    DISTURBANCE,
-    DISTURBANCES,
     HOVER,
     LANES,
     MEASURED,
@@ -36,14 +34,15 @@ from heli_gym.simulation.layout import (
     TRUNCATED,
     Settings,
     X,
+    count_rows,
     put_two,
     shared,
     six,
     two,
 )
-from heli_gym.simulation.motion import equation_3, integrate, step_equation_3, step_plant
+from heli_gym.simulation.motion import equation_3, integrate, integrate_general, step_equation_3, step_plant
 from heli_gym.simulation.reward import compute_reward, look_up_reference, reference_row
-from heli_gym.simulation.rotors import apply_amplifier
+from heli_gym.simulation.rotors import add_measured_curves, apply_amplifier, delay_command, map_thrusts, turn_rotors
 from heli_gym.simulation.sensors import make_noise, measure
 from heli_gym.simulation.start import Ranges, init_derived, init_state, sample_parameters
 from heli_gym.task import OBSERVATION_LIMIT, OBSERVED, observed_error, observed_voltage, to_voltage
@@ -195,7 +194,7 @@ def step_one(memory: Any, front: Any, back: Any, observation: Any, outputs: Any)
     if not (abs(front) < math.inf and abs(back) < math.inf):
         return 0.0, 0.0, 0.0, NOT_FINITE
     s = shared(memory)
-    size = ROW * (DISTURBANCES + DISTURBANCE * int(s.disturbances) + 2 * int(s.delay))
+    size = ROW * count_rows(s)
     block, table = memory[SETTINGS : SETTINGS + size], memory[SETTINGS + size :]
     hover_f, hover_b = two(block, HOVER, 0)
     put_two(block, COMMAND, 0, (saturated(front, hover_f, s), saturated(back, hover_b, s)))
@@ -210,11 +209,16 @@ def step_one(memory: Any, front: Any, back: Any, observation: Any, outputs: Any)
 
 LOOPS = (
     command,
+    delay_command,
     apply_amplifier,
     step_gusts,
     sum_disturbances,
     integrate,
+    integrate_general,
     step_equation_3,
+    turn_rotors,
+    map_thrusts,
+    add_measured_curves,
     make_noise,
     measure,
     look_up_reference,

@@ -2,16 +2,18 @@
 
 The numbers of `LANES` helicopters are a block: one row for each component of a quantity, so that the innermost loops
 run over helicopters and become SIMD instructions. Component k of a quantity that starts at ROW_OF_IT, of the helicopter
-i of a block, is `block[(ROW_OF_IT + k) * ROW + i]`. After the rows of the table come those of the disturbances, and
-after these the voltages that are still delayed.
+i of a block, is `block[(ROW_OF_IT + k) * ROW + i]`. After the rows of the table come those whose number depends on the
+plants: of the disturbances, of the pieces of measured thrust curves, and of the voltages that are still delayed.
 """
 
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import Plant
+from heli_gym.plant import NO_TABLE, ROTORS, Plant
 from heli_gym.rigid_body import RigidBodyParameters
+from heli_gym.thrust_map import PowerCurve, TableCurve
 
 LANES = 128  # helicopters of a block
 ROW = LANES + 8  # distance between rows; a power of two would have rows evict each other from the cache
@@ -38,6 +40,21 @@ def quantity(name: str, width: int = 1, of_plant: Callable[[Plant], Any] | None 
     """Define the next quantity of a block and return its first row."""
     QUANTITIES[name] = Quantity(rows_in_use(), width, of_plant)
     return QUANTITIES[name].row
+
+
+def power_curve(p: Plant, rotor: int) -> tuple:
+    """Thrust curve of a rotor, `PowerCurve`; without any thrust where the rotor has a measured curve instead."""
+    if p.thrust_map is None:
+        return PowerCurve(p.parameters.k_plus, p.parameters.k_minus)
+    curve = getattr(p.thrust_map, ROTORS[rotor])
+    return curve if isinstance(curve, PowerCurve) else PowerCurve(0.0, 0.0, 1.0)
+
+
+def cubic_pieces(curve: TableCurve) -> list[tuple]:
+    """Rows ORIGIN to LINEAR of each piece of a measured thrust curve: cubics, and straight lines beyond its ends."""
+    u, (low, high) = curve.voltages, curve.end_slopes
+    cubics = [(start, 0.0, end - start, *c[:3]) for start, end, c in zip(u, u[1:], curve.cubics.c.T.tolist())]
+    return [(u[0], -math.inf, 0.0, 0.0, 0.0, low), *cubics, (u[-1], 0.0, math.inf, 0.0, 0.0, high)]
 
 
 # Outputs of a step.
@@ -74,15 +91,26 @@ RIG = quantity("rig", len(RigidBodyParameters._fields), lambda p: p.rig or NO_RI
 LAG = quantity("lag", 1, lambda p: (p.rotors.lag,))  # s
 LOSS = quantity("loss", 1, lambda p: (p.rotors.thrust_loss,))  # share of the thrust
 SLEW = quantity("slew", 1, lambda p: (p.rotors.slew,))  # V/s
-DELAY = quantity("delay", 1, lambda p: (p.rotors.delay,))  # control periods
+DELAY = quantity("delay", 1, lambda p: (p.rotors.delay,))  # s
+GAINS = quantity("gains", 2, lambda p: p.rotors.gains)  # of the thrusts of front and back
+FRONT = quantity("front", 4, lambda p: power_curve(p, 0))  # k_plus, k_minus, exponent, dead zone of the thrust
+BACK = quantity("back", 4, lambda p: power_curve(p, 1))
+HOVER_VOLTAGE = quantity("hover_voltage", 1, lambda p: (p.hover_voltage or 0.0,))  # V; 0: as the thrust map says
 VISCOUS = quantity("viscous", 3, lambda p: p.friction.viscous)  # 1/s
 COULOMB = quantity("coulomb", 3, lambda p: p.friction.coulomb)  # rad/s²
 COUNTS = quantity("counts", 3, lambda p: p.sensors.counts if p.sensors else (0, 0, 0))  # 0: the true state
 NOISE = quantity("noise", 1, lambda p: (p.sensors.noise if p.sensors else 0.0,))  # rad
+ZEROS = quantity("zeros", 3, lambda p: p.sensors.zeros if p.sensors else (0.0, 0.0, 0.0))  # rad
 RATE_FILTER = quantity("rate_filter", 1, lambda p: (p.sensors.rate_filter if p.sensors else 1.0,))  # s
+TRAVEL_LIFT = quantity("travel_lift", 1, lambda p: (p.travel_lift,))  # 1/rad
+TABLE = quantity("table", 2, lambda p: (p.table.elevation, p.table.friction) if p.table else (NO_TABLE, 0.0))
 
 # Derived from the plant and the control period, once a flight.
+DELAY_PERIODS = quantity("delay_periods")  # whole control periods of the delay
+DELAY_REST = quantity("delay_rest")  # s, the rest of it
+SHARE = quantity("share", 2)  # of the thrust that loss and gains leave to each rotor
 LAG_DECAY = quantity("lag_decay")  # of the rotors' deviation over half an integration step
+REST_DECAY = quantity("rest_decay")  # the same, over half an integration step within DELAY_REST
 RATE_DECAY = quantity("rate_decay")  # of the rate estimate over a control period
 
 # Passed on within a step.
@@ -91,13 +119,22 @@ A2_CHANGE = quantity("a2_change")  # rad/s², likewise
 EFFECT = quantity("effect", 2)  # share of the thrust that faults leave to each rotor
 REFERENCE = quantity("reference", 6)  # state
 NOMINAL = quantity("nominal", 2)  # V
-ARRIVING = quantity("arriving")  # V, at a motor, after the delay
+ARRIVING = quantity("arriving", 2)  # V, at the amplifiers, after the delay
+AFTER = quantity("after")  # s, from the start of the control period to the integration step; followed by
+H = quantity("h")  # s, its length
+SPEEDS = quantity("speeds", 6)  # V, ROTOR at the start, in the middle and at the end of the integration step
+THRUSTS = quantity("thrusts", 6)  # N, of the rotors at these speeds
 ON_ANGLES = quantity("on_angles", 3)  # rad, noise of the sensors
 
 # Rows of each disturbance, after those of the table.
 DISTURBANCES, DISTURBANCE = rows_in_use(), 8
 KIND, CHANNEL, AMOUNT, BEGIN, DURATION, CORRELATION, DECAY, GUST = range(8)
 PULSE, ORNSTEIN_UHLENBECK, RAMP = range(3)  # kinds
+
+# Rows of a measured thrust curve, after those of the disturbances: its thrust at the first point, then PIECE rows of
+# each piece, whose contribution is a cubic of the voltage from ORIGIN, clipped to LOW and HIGH.
+PIECE = 6
+ORIGIN, LOW, HIGH, CUBIC, SQUARE, LINEAR = range(PIECE)  # V, V, V, N/V³, N/V², N/V
 
 # Uniform numbers that make the start of a flight: of the three angles, the time, the key; then those of the plant.
 START_ANGLES, START_TIME, START_KEY, START_PLANT = 0, 3, 4, 5
@@ -112,7 +149,9 @@ class Settings(NamedTuple):
     u_high: float  # V
     pitch_limit: float  # rad
     disturbances: int  # of any helicopter, at most
-    delay: int  # control periods, of any helicopter, at most
+    pieces: int  # of any measured thrust curve, at most
+    delay: int  # whole control periods, of any helicopter, at most
+    is_fractional: bool  # whether the delay of any helicopter is not a whole number of control periods
     is_sensed: bool
     is_noisy: bool
     start_spread: float  # rad
@@ -125,7 +164,22 @@ SETTINGS = 16  # length of the settings array
 def shared(settings: Any) -> Settings:
     """Unpack the settings array."""
     s = settings
-    return Settings(s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9], s[10])
+    return Settings(s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9], s[10], s[11], s[12])
+
+
+def curve_rows(s: Any) -> int:
+    """First row of the measured thrust curves, of which each rotor has one with 1 + PIECE * s.pieces rows."""
+    return DISTURBANCES + DISTURBANCE * int(s.disturbances)
+
+
+def pending_rows(s: Any) -> int:
+    """First row of the delayed voltages, two for each period of the delay, the oldest first."""
+    return curve_rows(s) + (2 * (1 + PIECE * int(s.pieces)) if s.pieces > 0.0 else 0)
+
+
+def count_rows(s: Any) -> int:
+    """Number of rows of a block."""
+    return pending_rows(s) + 2 * int(s.delay)
 
 
 # Consecutive rows of one helicopter. Spelt out, because the compiler sees which rows overlap through one call but not
@@ -140,6 +194,11 @@ def two(block: Any, row: int, i: int) -> tuple:
 def three(block: Any, row: int, i: int) -> tuple:
     """This row and the next two."""
     return block[row * ROW + i], block[(row + 1) * ROW + i], block[(row + 2) * ROW + i]
+
+
+def four(block: Any, row: int, i: int) -> tuple:
+    """This row and the next three."""
+    return block[row * ROW + i], block[(row + 1) * ROW + i], block[(row + 2) * ROW + i], block[(row + 3) * ROW + i]
 
 
 def six(block: Any, row: int, i: int) -> tuple:

@@ -6,23 +6,30 @@ from numpy import cos, sin
 
 from heli_gym.model import dynamics, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import with_friction_and_disturbances
+from heli_gym.plant import with_contact, with_friction_and_disturbances, with_lift
 from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
 from heli_gym.simulation.disturbances import step_gusts, sum_disturbances
 from heli_gym.simulation.layout import (
     A2_CHANGE,
+    AFTER,
     COMMAND,
     COULOMB,
+    DELAY_REST,
     EFFECT,
     LAG_DECAY,
-    LOSS,
     MOTOR,
     PARAMETERS,
+    REST_DECAY,
     RIG,
     ROTOR,
     ROW,
+    SHARE,
+    TABLE,
+    THRUSTS,
     TORQUES,
+    TRAVEL_LIFT,
     VISCOUS,
+    H,
     Settings,
     X,
     eleven,
@@ -32,7 +39,7 @@ from heli_gym.simulation.layout import (
     three,
     two,
 )
-from heli_gym.simulation.rotors import apply_amplifier
+from heli_gym.simulation.rotors import apply_amplifier, delay_command, map_thrusts, turn_rotors
 
 
 class Body(NamedTuple):
@@ -45,6 +52,18 @@ class Body(NamedTuple):
     torques: Any
 
 
+class GeneralBody(NamedTuple):
+    """What the time derivative of a general plant depends on besides state and thrust."""
+
+    parameters: Any
+    rig: Any
+    viscous: Any
+    coulomb: Any
+    torques: Any
+    travel_lift: Any
+    table: Any
+
+
 # The right-hand sides, one of which is compiled into a simulation.
 
 
@@ -53,18 +72,30 @@ def equation_3(x: Any, v: Any, body: Body) -> tuple:
     return dynamics(x, v, body.parameters, sin, cos)
 
 
-def equation_3_with_disturbances(x: Any, v: Any, body: Body) -> tuple:
+def equation_3_with_disturbances(x: Any, v: Any, body: Body | GeneralBody) -> tuple:
     """Equation (3) with friction and disturbances."""
     return with_friction_and_disturbances(
         x, dynamics(x, v, body.parameters, sin, cos), body.viscous, body.coulomb, body.torques, cos
     )
 
 
-def rigid_body_with_disturbances(x: Any, v: Any, body: Body) -> tuple:
+def rigid_body_with_disturbances(x: Any, v: Any, body: Body | GeneralBody) -> tuple:
     """The full rigid body with friction and disturbances."""
     return with_friction_and_disturbances(
         x, rigid_dynamics(x, v, body.rig, sin, cos), body.viscous, body.coulomb, body.torques, cos
     )
+
+
+def general_equation_3(x: Any, v: Any, body: GeneralBody) -> tuple:
+    """Equation (3) with all that a plant may add to it."""
+    dx = with_contact(x, equation_3_with_disturbances(x, v, body), body.parameters, body.table, sin, cos)
+    return with_lift(dx, body.travel_lift)
+
+
+def general_rigid_body(x: Any, v: Any, body: GeneralBody) -> tuple:
+    """The full rigid body with all that a plant may add to it."""
+    dx = with_contact(x, rigid_body_with_disturbances(x, v, body), body.parameters, body.table, sin, cos)
+    return with_lift(dx, body.travel_lift)
 
 
 derivative = equation_3  # a name that `kernels` binds to one of these
@@ -83,8 +114,8 @@ def integrate(block: Any, n: int, h: Any) -> None:
         middle_f, middle_b = u_f + decay * (w_f - u_f), u_b + decay * (w_b - u_b)
         end_f, end_b = u_f + decay * (middle_f - u_f), u_b + decay * (middle_b - u_b)
         effect_f, effect_b = two(block, EFFECT, i)
-        share = 1.0 - block[LOSS * ROW + i]
-        front, back = share * effect_f, share * effect_b
+        share_f, share_b = two(block, SHARE, i)
+        front, back = share_f * effect_f, share_b * effect_b
         inputs = (
             virtual_input((front * thrust(w_f, p), back * thrust(w_b, p))),
             virtual_input((front * thrust(middle_f, p), back * thrust(middle_b, p))),
@@ -96,14 +127,68 @@ def integrate(block: Any, n: int, h: Any) -> None:
 
 def step_plant(block: Any, n: int, s: Settings) -> None:
     """Fly one control period with all that a plant may add to (3)."""
-    apply_amplifier(block, n, s)
+    delay_command(block, n, s)
     h = s.period / s.substeps
+    for i in range(n):
+        put_two(block, AFTER, i, (0.0, h))
+    apply_amplifier(block, n, s)
     if s.disturbances > 0.0:
         step_gusts(block, n, s)
     for k in range(int(s.substeps)):
         if s.disturbances > 0.0:
-            sum_disturbances(block, n, s, k * h, h)
+            for i in range(n):
+                put_two(block, AFTER, i, (k * h, h))
+            sum_disturbances(block, n, s)
         integrate(block, n, h)
+
+
+def integrate_general(block: Any, n: int) -> None:
+    """Integrate the body by one Runge-Kutta step of H seconds with the THRUSTS of the rotors."""
+    for i in range(n):
+        p = HelicopterParameters(*eleven(block, PARAMETERS, i))
+        rig = RigidBodyParameters(*eleven(block, RIG, i))
+        torques = (*three(block, TORQUES, i), block[A2_CHANGE * ROW + i])
+        lift, table = block[TRAVEL_LIFT * ROW + i], two(block, TABLE, i)
+        body = GeneralBody(p, rig, three(block, VISCOUS, i), three(block, COULOMB, i), torques, lift, table)
+
+        (effect_f, effect_b), (share_f, share_b) = two(block, EFFECT, i), two(block, SHARE, i)
+        front, back = share_f * effect_f, share_b * effect_b
+        f1, b1, f2, b2, f3, b3 = six(block, THRUSTS, i)
+        inputs = (
+            virtual_input((front * f1, back * b1)),
+            virtual_input((front * f2, back * b2)),
+            virtual_input((front * f3, back * b3)),
+        )
+        put_six(block, X, i, rk4_step(derivative, six(block, X, i), inputs, block[H * ROW + i], body))
+
+
+def fly_part(block: Any, n: int, s: Settings, decay_row: int) -> None:
+    """Integrate over the steps of a part of the control period, of which AFTER and H are the first."""
+    for _ in range(int(s.substeps)):
+        if s.disturbances > 0.0:
+            sum_disturbances(block, n, s)
+        turn_rotors(block, n, decay_row)
+        map_thrusts(block, n, s)
+        integrate_general(block, n)
+        for i in range(n):
+            block[AFTER * ROW + i] += block[H * ROW + i]
+
+
+def step_general(block: Any, n: int, s: Settings) -> None:
+    """Fly one control period of any plant: in two parts, before and after the delayed voltages of the period arrive."""
+    if s.disturbances > 0.0:
+        step_gusts(block, n, s)
+    if s.is_fractional > 0.0:
+        for i in range(n):
+            put_two(block, AFTER, i, (0.0, block[DELAY_REST * ROW + i] / s.substeps))
+        apply_amplifier(block, n, s)
+        fly_part(block, n, s, REST_DECAY)
+    delay_command(block, n, s)
+    for i in range(n):
+        rest = block[DELAY_REST * ROW + i]
+        put_two(block, AFTER, i, (rest, (s.period - rest) / s.substeps))
+    apply_amplifier(block, n, s)
+    fly_part(block, n, s, LAG_DECAY)
 
 
 def step_equation_3(block: Any, n: int, s: Settings) -> None:

@@ -6,7 +6,19 @@ from numpy import floor
 
 from heli_gym.plant import quantise
 from heli_gym.simulation.fast_math import standard_normal
-from heli_gym.simulation.layout import COUNTS, KEY, MEASURED, NOISE, ON_ANGLES, RATE_DECAY, ROW, STEP, Settings, X
+from heli_gym.simulation.layout import (
+    COUNTS,
+    KEY,
+    MEASURED,
+    NOISE,
+    ON_ANGLES,
+    RATE_DECAY,
+    ROW,
+    STEP,
+    ZEROS,
+    Settings,
+    X,
+)
 
 
 def make_noise(block: Any, n: int, step: int) -> None:
@@ -21,9 +33,9 @@ def measure(block: Any, n: int, s: Settings) -> None:
     """Measure the angles, and estimate the rates from them."""
     for axis in range(3):
         for i in range(n):
-            true_angle = block[(X + 2 * axis) * ROW + i]
+            true_angle, zero = block[(X + 2 * axis) * ROW + i], block[(ZEROS + axis) * ROW + i]
             counts = block[(COUNTS + axis) * ROW + i]
-            angle = quantise(true_angle + block[(ON_ANGLES + axis) * ROW + i], max(counts, 1.0), floor)
+            angle = quantise(true_angle - zero + block[(ON_ANGLES + axis) * ROW + i], max(counts, 1.0), floor)
             last, rate = block[(MEASURED + 2 * axis) * ROW + i], block[(MEASURED + 2 * axis + 1) * ROW + i]
             decay = block[RATE_DECAY * ROW + i]
             estimate = decay * rate + (1.0 - decay) * (angle - last) / s.period

@@ -1,5 +1,6 @@
 """Flights of N helicopters: their numbers in arrays, and the compiled kernels that work on them."""
 
+import itertools
 import math
 from collections.abc import Callable, Sequence
 from types import SimpleNamespace
@@ -10,7 +11,7 @@ from gymnasium.error import ResetNeeded
 
 from heli_gym import plant
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import AXES, ROTORS, Gust, MovingMass, Plant, Push, RotorFault, Rotors
+from heli_gym.plant import AXES, ROTORS, Gust, MovingMass, Plant, Push, RotorFault, Rotors, ThrustDrift, Uniform
 from heli_gym.simulation import kernels, motion
 from heli_gym.simulation.layout import (
     COMMAND,
@@ -23,6 +24,7 @@ from heli_gym.simulation.layout import (
     N_OUTPUTS,
     N_OUTPUTS_SENSED,
     ORNSTEIN_UHLENBECK,
+    PIECE,
     PULSE,
     QUANTITIES,
     RAMP,
@@ -31,15 +33,21 @@ from heli_gym.simulation.layout import (
     SETTINGS,
     START_PLANT,
     Settings,
+    count_rows,
+    cubic_pieces,
+    pending_rows,
+    shared,
 )
-from heli_gym.simulation.start import Ranges
+from heli_gym.simulation.start import NEARLY, Ranges
 from heli_gym.task import OBSERVED, TABLE_WIDTH, control_steps, hover_voltage, reference_table
+from heli_gym.thrust_map import TableCurve
 from heli_gym.trajectory import Sampler, Trajectory
 
 SUBSTEP = 10e-3  # s, at most, of the integration where there is more than (3)
+STABLE = 0.5  # largest product of an integration step and the rate at which friction damps an axis
 
 
-def numbers(p: Plant) -> list:
+def numbers(p: Plant, s: Settings) -> list:
     """Numbers of a plant without ranges, for the rows `plant_rows`."""
     rows = [number for quantity in QUANTITIES.values() if quantity.of_plant for number in quantity.of_plant(p)]
     for value in p.disturbances:
@@ -52,20 +60,52 @@ def numbers(p: Plant) -> list:
                 rows += [RAMP, len(AXES), a2_change, start, duration, 1.0, 0.0, 0.0]
             case RotorFault(rotor, loss, start):
                 rows += [PULSE, len(AXES) + 1 + ROTORS.index(rotor), loss, start, math.inf, 1.0, 0.0, 0.0]
+            case ThrustDrift(loss, start, duration):
+                for rotor in ROTORS:
+                    rows += [RAMP, len(AXES) + 1 + ROTORS.index(rotor), loss, start, duration, 1.0, 0.0, 0.0]
+    # zeros stand for disturbances that disturb nothing, and for pieces that contribute nothing
+    rows += [0.0] * DISTURBANCE * (s.disturbances - count_disturbances(p))
+    if s.pieces:
+        for curve in measured_curves(p):
+            pieces = cubic_pieces(curve) if curve else []
+            base = curve.thrusts[0] if curve else 0.0
+            rows += [base, *itertools.chain(*pieces), *[0.0] * PIECE * (s.pieces - len(pieces))]
     return rows
 
 
-def plant_rows(disturbances: int) -> np.ndarray:
-    """Rows (R,) that a plant sets: of the quantities that follow from it, then of the disturbances."""
+def plant_rows(s: Settings) -> np.ndarray:
+    """Rows (R,) that a plant sets: of the quantities that follow from it, of the disturbances and measured curves."""
     own = [q.row + k for q in QUANTITIES.values() if q.of_plant for k in range(q.width)]
-    return np.array([*own, *range(DISTURBANCES, DISTURBANCES + DISTURBANCE * disturbances)])
+    return np.array([*own, *range(DISTURBANCES, pending_rows(s))])
 
 
-def ranges_of(p: Plant) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def count_disturbances(p: Plant) -> int:
+    """Number of disturbances in the rows of a plant: a drift is one of each rotor."""
+    return sum(len(ROTORS) if isinstance(value, ThrustDrift) else 1 for value in p.disturbances)
+
+
+def measured_curves(p: Plant) -> list[TableCurve | None]:
+    """The measured thrust curve of each rotor, where it has one."""
+    curves = [getattr(p.thrust_map, rotor, None) for rotor in ROTORS]
+    return [curve if isinstance(curve, TableCurve) else None for curve in curves]
+
+
+def delay_periods(p: Plant, control_period: float) -> tuple[int, bool]:
+    """Greatest number of whole control periods in the delay of a plant, and whether it may not be a whole number."""
+    delays = [delay for q in p.alternatives for delay in (q.rotors.delay,)]
+    ends = [end for d in delays for end in ((d.low, d.high) if isinstance(d, Uniform) else (d,))]
+    rest = max(abs(end / control_period - round(end / control_period)) for end in ends)
+    is_range = any(isinstance(d, Uniform) and d.low < d.high for d in delays)
+    return int(max(ends) / control_period + NEARLY), is_range or rest > NEARLY
+
+
+def ranges_of(p: Plant, s: Settings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Low, span and index (A, R) of the `Ranges` of the A alternatives of a plant."""
     ends = np.concatenate((np.zeros((1, p.uniforms)), np.eye(p.uniforms)[1:]))[:, 1:]
     # numbers of each alternative with all uniforms zero, then with each of them in turn one
-    corners = np.array([[numbers(plant.at_uniforms(q, iter(u))) for u in ends.tolist()] for q in p.alternatives], float)
+    corners = np.array(
+        [[numbers(plant.at_uniforms(q, iter(u)), s) for u in ends.tolist()] for q in p.alternatives], float
+    )
     low = corners[:, 0]
     changed = corners[:, 1:] != low[:, None]
     index = np.where(changed.any(axis=1), changed.argmax(axis=1) + 1, 0) if p.uniforms else np.zeros(low.shape, int)
@@ -74,30 +114,28 @@ def ranges_of(p: Plant) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return low, span, index
 
 
-def stacked_ranges(plants: Sequence[Plant]) -> Ranges:
-    """Ranges of all plants; those with fewer disturbances are padded with zeros, which disturb nothing."""
+def stacked_ranges(plants: Sequence[Plant], s: Settings) -> Ranges:
+    """Ranges of all plants."""
     groups = group_by_identity(plants)
-    each = [ranges_of(p) for p, _ in groups]
-    width = max(low.shape[1] for low, _, _ in each)
+    each = [ranges_of(p, s) for p, _ in groups]
     first, count = np.zeros(len(plants), int), np.zeros(len(plants), int)
     place = 0
     for (_, members), (low, _, _) in zip(groups, each):
         first[members], count[members] = place, len(low)
         place += len(low)
-    low, span, index = (
-        np.concatenate([np.pad(part, ((0, 0), (0, width - part.shape[1]))) for part in parts]) for parts in zip(*each)
-    )
-    disturbances = max(len(p.disturbances) for p, _ in groups)
-    return Ranges(plant_rows(disturbances), low, span, index, first, count)
+    low, span, index = (np.concatenate(parts) for parts in zip(*each))
+    return Ranges(plant_rows(s), low, span, index, first, count)
 
 
-def right_hand_side(plants: Sequence[Plant]) -> Callable:
+def right_hand_side(plants: Sequence[Plant], is_general: bool) -> Callable:
     """Simplest right-hand side that serves all these plants. Raises ValueError if only some are rigid bodies."""
     rigid = {q.rig is not None for p in plants for q in p.alternatives}
     if len(rigid) > 1:
         raise ValueError("plant: either all plants of a simulation have a rig, or none")
     if rigid.pop():
-        return motion.rigid_body_with_disturbances
+        return motion.general_rigid_body if is_general else motion.rigid_body_with_disturbances
+    if is_general:
+        return motion.general_equation_3
     return motion.equation_3 if all(p.is_plain for p in plants) else motion.equation_3_with_disturbances
 
 
@@ -134,31 +172,39 @@ class Simulation:
         self.plants, self.sources, self.dtype = list(plants), list(references), dtype
         self.control_period, self.voltage_limits, self.pitch_limit = control_period, voltage_limits, pitch_limit
         all_plants = [p for p, _ in group_by_identity(plants)]
-        self.rhs = right_hand_side(all_plants)
+        delays, are_fractional = zip(*(delay_periods(p, control_period) for p in all_plants))
+        is_general = any(are_fractional) or any(p.is_general for p in all_plants)
+        self.rhs = right_hand_side(all_plants, is_general)
         immediate = all(p.is_plain and p.rotors == Rotors() for p in all_plants)
         self.fly = motion.step_equation_3 if immediate else motion.step_plant
-        disturbances = max(len(p.disturbances) for p in all_plants)
-        delay = max(p.rotors.delay for p in all_plants)
+        if is_general:
+            self.fly = motion.step_general
+        stiffness = max(p.stiffness for p in all_plants)
+        substep = min(SUBSTEP, STABLE / stiffness) if stiffness > 0.0 else SUBSTEP
+        disturbances = max(map(count_disturbances, all_plants))
+        curves = [curve for p in all_plants for q in p.alternatives for curve in measured_curves(q) if curve]
         settings = Settings(
             period=control_period,
-            substeps=1 if self.rhs is motion.equation_3 else math.ceil(control_period / SUBSTEP - 1e-9),
+            substeps=1 if self.rhs is motion.equation_3 else math.ceil(control_period / substep - 1e-9),
             u_low=voltage_limits[0],
             u_high=voltage_limits[1],
             pitch_limit=pitch_limit,
             disturbances=disturbances,
-            delay=delay,
+            pieces=max((len(cubic_pieces(curve)) for curve in curves), default=0),
+            delay=max(delays),
+            is_fractional=any(are_fractional),
             is_sensed=any(p.sensors is not None for p in all_plants),
             is_noisy=any(p.is_noisy for p in all_plants),
             start_spread=start_spread,
             random_start=random_start,
         )
         self.outputs = N_OUTPUTS_SENSED if settings.is_sensed else N_OUTPUTS  # rows
-        self.ranges = stacked_ranges(plants)
+        self.ranges = stacked_ranges(plants, settings)
         drawn = start_spread > 0.0 or random_start
         self.draws = [START_PLANT + p.uniforms if drawn or p.is_noisy or p.uniforms else 0 for p in plants]
         self.uniforms = np.zeros((len(plants), START_PLANT + max(p.uniforms for p in all_plants)))
 
-        rows = DISTURBANCES + DISTURBANCE * disturbances + 2 * delay
+        rows = count_rows(settings)
         self.initial = np.zeros((rows, len(plants)))  # of the blocks, at the start of a flight, but for what is drawn
         self.size = rows * ROW
         self.actions: np.ndarray = np.zeros((len(plants), 2), dtype)
@@ -330,8 +376,9 @@ class Simulation:
         `pending` (D, 2, N) are the voltages still delayed, in V, the oldest first.
         """
         values = {name: self.rows(q.row, q.width) for name, q in QUANTITIES.items()}
-        delay = int(self.settings[Settings._fields.index("delay")])
-        pending = self.rows(self.size // ROW - 2 * delay, 2 * delay).reshape(delay, 2, len(self.plants))
+        settings = shared(self.settings.tolist())
+        delay = int(settings.delay)
+        pending = self.rows(pending_rows(settings), 2 * delay).reshape(delay, 2, len(self.plants))
         return SimpleNamespace(
             **{name: rows if len(rows) > 1 else rows[0] for name, rows in values.items()}, pending=pending
         )

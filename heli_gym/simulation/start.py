@@ -5,28 +5,42 @@ from typing import Any, NamedTuple
 
 from numpy import floor
 
+from heli_gym.model import power_thrust
+from heli_gym.parameters import HelicopterParameters
 from heli_gym.plant import quantise
-from heli_gym.simulation.fast_math import standard_normal
+from heli_gym.simulation.fast_math import power, standard_normal
 from heli_gym.simulation.layout import (
+    ARRIVING,
+    BACK,
     COMMAND,
     CORRELATION,
     COUNTS,
     DECAY,
+    DELAY,
+    DELAY_PERIODS,
+    DELAY_REST,
     DISTURBANCE,
     DISTURBANCES,
+    FRONT,
+    GAINS,
+    HOVER_VOLTAGE,
     KEY,
     LAG,
     LAG_DECAY,
     LAST,
+    LOSS,
     MEASURED,
     MOTOR,
     NOISE,
     ON_ANGLES,
+    PARAMETERS,
     RATE_DECAY,
     RATE_FILTER,
     REFERENCE_ROW,
+    REST_DECAY,
     ROTOR,
     ROW,
+    SHARE,
     START_ANGLES,
     START_KEY,
     START_PLANT,
@@ -34,14 +48,20 @@ from heli_gym.simulation.layout import (
     STEP,
     TIME,
     TORQUES,
+    ZEROS,
     Settings,
     X,
+    eleven,
+    four,
+    pending_rows,
     put_six,
     put_two,
     six,
     two,
 )
 from heli_gym.task import TABLE_WIDTH
+
+NEARLY = 1e-4  # control periods, to which a delay counts as a whole number of them
 
 
 class Ranges(NamedTuple):
@@ -103,8 +123,17 @@ def init_derived(block: Any, i: int, s: Settings) -> None:
 
     The first rates are the true ones, as if the estimator had been running before. Delayed voltages are the first ones.
     """
-    lag, h = block[LAG * ROW + i], s.period / s.substeps
-    block[LAG_DECAY * ROW + i] = math.exp(-0.5 * h / lag) if lag > 0.0 else 0.0
+    delay = block[DELAY * ROW + i]
+    periods = floor(delay / s.period + NEARLY)
+    rest = max(delay - s.period * periods, 0.0)
+    rest = rest if rest > NEARLY * s.period else 0.0
+    block[DELAY_PERIODS * ROW + i], block[DELAY_REST * ROW + i] = periods, rest
+    lag, substeps = block[LAG * ROW + i], s.substeps
+    block[LAG_DECAY * ROW + i] = math.exp(-0.5 * ((s.period - rest) / substeps) / lag) if lag > 0.0 else 0.0
+    block[REST_DECAY * ROW + i] = math.exp(-0.5 * (rest / substeps) / lag) if lag > 0.0 else 0.0
+    scale, (gain_f, gain_b) = (1.0 - block[LOSS * ROW + i]) * hover_scale(block, i), two(block, GAINS, i)
+    put_two(block, SHARE, i, (scale * gain_f, scale * gain_b))
+    put_two(block, ARRIVING, i, two(block, COMMAND, i))
     block[RATE_DECAY * ROW + i] = math.exp(-s.period / block[RATE_FILTER * ROW + i])
     put_six(block, TORQUES, i, (0.0, 0.0, 0.0, 0.0, 1.0, 1.0))
     put_six(block, MEASURED, i, six(block, X, i))
@@ -115,11 +144,22 @@ def init_derived(block: Any, i: int, s: Settings) -> None:
             block[(ON_ANGLES + axis) * ROW + i] = block[NOISE * ROW + i] * normal
         counts = block[(COUNTS + axis) * ROW + i]
         if counts > 0.0:
-            noisy = block[(X + 2 * axis) * ROW + i] + block[(ON_ANGLES + axis) * ROW + i]
+            angle = block[(X + 2 * axis) * ROW + i] - block[(ZEROS + axis) * ROW + i]
+            noisy = angle + block[(ON_ANGLES + axis) * ROW + i]
             block[(MEASURED + 2 * axis) * ROW + i] = quantise(noisy, counts, floor)
     for d in range(int(s.disturbances)):
         first = DISTURBANCES + DISTURBANCE * d
         decay = math.exp(-s.period / block[(first + CORRELATION) * ROW + i])
         put_two(block, first + DECAY, i, (decay, 0.0))
     for k in range(int(s.delay)):
-        put_two(block, DISTURBANCES + DISTURBANCE * int(s.disturbances) + 2 * k, i, two(block, COMMAND, i))
+        put_two(block, pending_rows(s) + 2 * k, i, two(block, COMMAND, i))
+
+
+def hover_scale(block: Any, i: int) -> Any:
+    """Factor on the power curves with which the helicopter i hovers level at HOVER_VOLTAGE; 1 where that is not set."""
+    u = block[HOVER_VOLTAGE * ROW + i]
+    if u == 0.0:
+        return 1.0
+    p = HelicopterParameters(*eleven(block, PARAMETERS, i))
+    front, back = power_thrust(u, *four(block, FRONT, i), power), power_thrust(u, *four(block, BACK, i), power)
+    return -p.a2 / (p.b2 * (front + back))

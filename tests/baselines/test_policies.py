@@ -28,7 +28,7 @@ SEEDS = range(6)
 FORGETFUL = ["open-loop", "feedforward+tvlqr", "hover-lqr", "zero"]
 REMEMBERING = ["lqi", "lag-lqr", "lag-lqi", "kalman-lqr"]
 LAG_AWARE = ["lag-lqr", "lag-lqi", "kalman-lqr"]
-LAGGING = Plant(rotors=Rotors(lag=Actuator().lag, delay=Actuator().delay))  # what the lag-aware ones assume
+LAGGING = Plant(rotors=Rotors(lag=Actuator().lag, delay=0.02 * Actuator().delay))  # what the lag-aware ones assume
 
 
 @functools.cache

@@ -20,11 +20,11 @@ from heli_gym.rigid_body import VARIANTS, solve_rigid_body
 PERIOD = demo.CONTROL_PERIOD
 START = np.radians([4.0, 0.0, -5.0, 0.0, 3.0, 0.0])
 FRICTION = Friction(viscous=(0.1, 0.2, 0.3))
-ROTORS = Rotors(lag=0.1, thrust_loss=0.08, delay=1)
+ROTORS = Rotors(lag=0.1, thrust_loss=0.08, delay=0.02)
 DRAWS = {
     "nominal": Plant(),
     "lab": Plant(rotors=ROTORS, friction=FRICTION, sensors=Sensors()),
-    "without lag": Plant(rotors=Rotors(thrust_loss=0.1, delay=2), friction=FRICTION),
+    "without lag": Plant(rotors=Rotors(thrust_loss=0.1, delay=0.04), friction=FRICTION),
     **{
         f"rigid {variant}": Plant(rig=solve_rigid_body(variant), rotors=ROTORS, friction=FRICTION, sensors=Sensors())
         for variant in VARIANTS

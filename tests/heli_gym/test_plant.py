@@ -1,5 +1,6 @@
 import copy
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 
 import gymnasium as gym
@@ -25,13 +26,20 @@ from heli_gym.plant import (
     RotorFault,
     Rotors,
     Sensors,
+    Table,
+    ThrustDrift,
     Uniform,
     find_plant,
 )
 from heli_gym.rigid_body import rigid_dynamics, solve_rigid_body
 from heli_gym.simulation.layout import DISTURBANCES, GUST, MEASURED, MOTOR, ROTOR, ROW, X
 from heli_gym.simulation.simulation import Simulation
+<<<<<<< HEAD
 from heli_gym.task import hover_voltage, to_action
+=======
+from heli_gym.task import to_action
+from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustMap
+>>>>>>> 1562b0d (Plants as real rigs are: thrust maps, delay in seconds, unequal rotors, zeros, lift, drift, table; stiff friction stable)
 
 P = HelicopterParameters()
 HOVER = (float(voltage(0.5 * hover_input(0.0, P)[0], P)),) * 2
@@ -93,9 +101,9 @@ def test_rotors_follow_a_step_exponentially():
 
 
 @pytest.mark.parametrize("delay", [1, 3])
-def test_a_delay_shifts_the_flight_by_that_many_control_periods(delay):
+def test_a_delay_of_whole_control_periods_shifts_the_flight(delay):
     voltages = np.random.default_rng(0).uniform(5.0, 11.0, (50, 2))
-    late = simulate(Plant(rotors=Rotors(delay=delay)), voltages, duration=1.0).x
+    late = simulate(Plant(rotors=Rotors(delay=0.02 * delay)), voltages, duration=1.0).x
     shifted = np.concatenate((np.tile(HOVER, (delay, 1)), voltages[:-delay]))
     assert_allclose(late, simulate(Plant(), shifted, duration=1.0).x, atol=1e-14)
 
@@ -182,6 +190,123 @@ def test_a_rotor_fault_off_the_grid_takes_its_share_from_its_very_time_on(start)
     assert rate == pytest.approx(-P.b3 * 0.3 * float(thrust(HOVER[0], P)) * (1.06 - start), rel=1e-2)
 
 
+POWER = PowerCurve(0.03, -0.01, 1.3, 0.5)
+MEASURED_CURVE = TableCurve((-5.0, 0.0, 2.0, 6.0, 12.0), (-0.05, 0.0, 0.04, 0.2, 0.6))
+LINEAR = PowerCurve(0.0385, -0.0385, 1.0)
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.033, 0.0799])
+@pytest.mark.parametrize("curves", [(POWER, MEASURED_CURVE), (LINEAR, LINEAR), (MEASURED_CURVE, POWER)])
+def test_thrust_maps_delays_in_seconds_gains_and_lift_agree_with_an_adaptive_integrator(curves, delay):
+    plant = Plant(
+        P._replace(c1=0.1, c2=0.3, c3=0.2),
+        rotors=Rotors(lag=0.08, delay=delay, gains=(0.95, 1.05)),
+        thrust_map=ThrustMap(*curves),
+        travel_lift=-0.1,
+    )
+    voltages, start = np.random.default_rng(0).uniform(3.0, 10.0, (25, 2)), (0.0, 0.5, 0.0, 0.0, 0.1, 0.0)
+
+    def rhs(t, z, u):
+        f = [gain * curve.thrust(w) for gain, curve, w in zip(plant.rotors.gains, curves, z[6:])]
+        dx = np.array(dynamics(z[:6], virtual_input(f), plant.parameters))
+        dx[3] += plant.travel_lift * z[1] ** 2
+        return np.concatenate((dx, (u - z[6:]) / plant.rotors.lag))
+
+    z, t = np.array((*start, *HOVER)), 0.0
+    for u, end in zip((np.array(HOVER), *voltages), np.minimum(delay + 0.02 * np.arange(26), 0.5)):
+        if end > t:
+            z = solve_ivp(rhs, (t, end), z, args=(u,), rtol=1e-10, atol=1e-12, max_step=0.01).y[:, -1]
+        t = end
+    assert_allclose(simulate(plant, voltages, start, duration=0.5).x[:, -1], z[:6], atol=1e-6)
+
+
+def test_a_delay_in_seconds_is_the_same_whatever_the_control_period():
+    plant = Plant(rotors=Rotors(lag=0.1, delay=0.033))
+    flights = [simulate(plant, (9.0, 7.0), duration=1.0, dt=dt).x[:, -1] for dt in (0.02, 0.004, 0.05)]
+    assert_allclose(flights[1], flights[0], atol=1e-7)
+    assert_allclose(flights[2], flights[0], atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["lab", "rigid"])
+def test_the_general_loops_fly_the_same_as_those_for_less(name):
+    plant = PLANTS[name].draw(np.random.default_rng(1))
+    general = replace(plant, thrust_map=ThrustMap(PowerCurve(P.k_plus, P.k_minus), PowerCurve(P.k_plus, P.k_minus)))
+    assert general.is_general and not plant.is_general
+    voltages = np.random.default_rng(0).uniform(6.0, 10.0, (50, 2))
+    few, all_of_them = (simulate(p, voltages, duration=1.0) for p in (plant, general))
+    assert_allclose(all_of_them.x, few.x, rtol=0.0, atol=1e-12)
+    assert_allclose(all_of_them.measured[::2], few.measured[::2], rtol=0.0, atol=1e-12)
+
+
+def test_stiff_friction_brings_the_pitch_to_its_terminal_rate():
+    u = np.array([8.4, 7.2])
+    flight = simulate(Plant(friction=Friction(viscous=(0.0, 0.0, 400.0))), u, duration=0.1)
+    rate = P.b3 * virtual_input(thrust(u, P))[1] / 400.0
+    assert_allclose(flight.x[5, 1:], rate, rtol=1e-3)
+    assert_allclose(flight.x[4, -1], rate * (0.1 - 1.0 / 400.0), rtol=1e-3)
+
+
+@pytest.mark.parametrize("coulomb", [1.0, 15.0])
+def test_coulomb_friction_holds_a_pitch_that_is_pushed_less(coulomb):
+    flight = simulate(Plant(friction=Friction(coulomb=(0.0, 0.0, coulomb))), (8.0, 7.9), duration=2.0)
+    assert np.abs(flight.x[5]).max() < COULOMB_RATE
+
+
+def test_unequal_rotors_are_a_difference_of_thrusts():
+    rate = simulate(Plant(rotors=Rotors(gains=(1.05, 0.95))), duration=0.02).x[5, -1]
+    assert rate == pytest.approx(P.b3 * 0.1 * float(thrust(HOVER[0], P)) * 0.02, rel=1e-3)
+
+
+def test_sensors_read_zero_at_their_zeros():
+    zeros = (0.3, -0.05, 0.12)
+    flight = simulate(Plant(sensors=Sensors(counts=(2**20,) * 3, zeros=zeros)), duration=0.2)
+    assert_allclose(flight.x[::2].T + 0.0 * flight.x[0][:, None], flight.measured[::2].T + np.array(zeros), atol=1e-5)
+    assert_allclose(flight.measured[1::2], flight.x[1::2], atol=1e-2)
+
+
+def test_thrust_that_drifts_away_lets_the_helicopter_sink():
+    drift = ThrustDrift(loss=0.1, time=1.0, duration=5.0)
+    rate = simulate(Plant(disturbances=(drift,)), duration=2.0).x[3]
+    assert_allclose(rate[:51], 0.0, atol=1e-12)
+    stiffness = -P.a1  # of the linear oscillator that elevation is, which a ramp of force moves
+    assert rate[-1] == pytest.approx(P.a2 * 0.1 / 5.0 / stiffness * (1.0 - math.cos(math.sqrt(stiffness))), rel=1e-3)
+
+
+@pytest.mark.parametrize("plant", [Plant(), PLANTS["rigid"].draw(np.random.default_rng(0))], ids=["(3)", "rigid"])
+def test_a_helicopter_without_thrust_comes_to_rest_level_on_the_table(plant):
+    plant = replace(plant, table=Table(0.1), rotors=Rotors(lag=0.1))
+    flight = simulate(plant, (0.0, 0.0), (0.0, 0.3, 0.0, 0.0, 0.2, 0.0), duration=10.0)
+    assert flight.x[2].max() < 0.15
+    assert_allclose(flight.x[:, -1], (flight.x[0, -1], 0.0, 0.1, 0.0, 0.0, 0.0), atol=2e-3)
+
+
+def test_it_takes_off_once_the_thrust_outweighs_it_and_not_before():
+    plant, rest = Plant(table=Table(0.1), rotors=Rotors(lag=0.1)), (0.0, 0.0, 0.1, 0.0, 0.0, 0.0)
+    hover = float(voltage(0.5 * hover_input(0.1, P)[0], P))
+    below, above = (simulate(plant, (u, u), rest, duration=3.0).x[2, -1] for u in (0.98 * hover, 1.02 * hover))
+    assert below == pytest.approx(0.1, abs=1e-3)
+    assert above < 0.09
+
+
+def test_the_table_only_pushes_upwards():
+    without, near = Plant(rotors=Rotors(lag=0.1)), Plant(table=Table(0.3), rotors=Rotors(lag=0.1))
+    flights = [simulate(plant, (8.5, 7.5), duration=1.0).x for plant in (without, near)]
+    assert flights[0][2].max() < 0.29
+    assert_allclose(flights[1], flights[0], atol=1e-9)
+
+
+@pytest.mark.parametrize("exponent", [0.94, 1.22, 1.74])
+def test_a_hover_voltage_scales_the_thrust_map_to_hover_there(exponent):
+    curve = PowerCurve(1.0, -0.3, exponent, 0.2)
+    plant = Plant(P._replace(a2=0.8), thrust_map=ThrustMap(curve, curve), hover_voltage=4.0)
+    flight = simulate(plant, (4.0, 4.0))
+    assert_allclose(
+        flight.x[2:4, 1:], flight.x[2:4, 1:2] * np.ones(100), atol=1e-2
+    )  # but for the first voltages, HOVER
+    start = simulate(plant, (4.0, 4.0), duration=0.02).x[3, -1]
+    assert abs(start) < 1e-9
+
+
 def ranges(value):
     if isinstance(value, Uniform | OneOf):
         yield value
@@ -253,7 +378,7 @@ def test_reset_can_set_the_plant_of_one_episode():
     env.reset(seed=0, options={"plant": "nominal"})
     assert env.unwrapped.drawn_plant == PLANTS["nominal"]
     env.reset(seed=0)
-    assert env.unwrapped.drawn_plant.rotors.delay == 1
+    assert env.unwrapped.drawn_plant.rotors.delay == 0.02
 
 
 @pytest.mark.parametrize(
@@ -266,8 +391,9 @@ def test_reset_can_set_the_plant_of_one_episode():
         (lambda: Rotors(lag=Uniform(-0.1, 0.1)), "lag"),
         (lambda: Rotors(thrust_loss=1.5), "thrust_loss"),
         (lambda: Rotors(delay=-1), "delay"),
-        (lambda: Rotors(delay=1.5), "delay"),
+        (lambda: Rotors(delay="0.02"), "delay"),
         (lambda: Rotors(delay=Uniform(0.0, 2.0)), "delay"),
+        (lambda: Rotors(delay=1), "delay"),
         (lambda: Rotors(delay=math.nan), "delay"),
         (lambda: Rotors(slew=math.nan), "slew"),
         (lambda: Friction(viscous=(-0.1, 0.0, 0.0)), "viscous"),
@@ -293,6 +419,38 @@ def test_reset_can_set_the_plant_of_one_episode():
         (lambda: RotorFault("front", 0.1, math.nan), "time"),
         (lambda: RotorFault("left", 0.1), "rotor"),
         (lambda: RotorFault("front", 2.0), "loss"),
+        (lambda: ThrustDrift(2.0), "loss"),
+        (lambda: ThrustDrift(0.1, duration=0.0), "duration"),
+        (lambda: Rotors(gains=(1.0,)), "gains"),
+        (lambda: Rotors(gains=(1.0, -1.0)), "gains"),
+        (lambda: Sensors(zeros=(0.0, 0.0, math.nan)), "zeros"),
+        (lambda: Sensors(counts=(256,) * 3, rate_filter=1e-6), "rate_filter"),
+        (lambda: Table(elevation=2.0), "elevation"),
+        (lambda: Table(friction=-1.0), "friction"),
+        (lambda: Friction(viscous=(0.0, 0.0, 1e300)), "viscous"),
+        (lambda: Friction(coulomb=(0.0, 1e300, 0.0)), "coulomb"),
+        (lambda: Push("pitch", 1e300, 0.0), "acceleration"),
+        (lambda: Push("pitch", 10**400, 0.0), "acceleration"),
+        (lambda: Plant(HelicopterParameters(b1=math.inf)), "parameters.b1"),
+        (lambda: Plant(HelicopterParameters(a1=Uniform(0.0, 1e300))), "parameters.a1"),
+        (lambda: Plant(HelicopterParameters(c2=-0.1)), "parameters.c2"),
+        (lambda: Plant(HelicopterParameters(c2="0.1")), "parameters.c2"),
+        (lambda: Plant("nominal"), "parameters"),
+        (lambda: Plant(rig=solve_rigid_body("A")._replace(m_h=math.nan)), "rig.m_h"),
+        (lambda: Plant(rig=OneOf((solve_rigid_body("A")._replace(l_h=0.0),))), "rig.l_h"),
+        (lambda: Plant(rotors=0.1), "rotors"),
+        (lambda: Plant(friction=None), "friction"),
+        (lambda: Plant(sensors=(8192, 4096, 4096)), "sensors"),
+        (lambda: Plant(disturbances=[]), "disturbances"),
+        (lambda: Plant(disturbances=(0.1,)), "disturbances"),
+        (lambda: Plant(thrust_map=POWER), "thrust_map"),
+        (lambda: Plant(thrust_map=ThrustMap(POWER, PowerCurve(1.0, exponent=3.0))), "thrust_map.back.exponent"),
+        (lambda: Plant(thrust_map=ThrustMap(POWER, MEASURED_CURVE), hover_voltage=5.0), "hover_voltage"),
+        (lambda: Plant(HelicopterParameters(a2=-0.4), hover_voltage=5.0), "hover_voltage"),
+        (lambda: Plant(travel_lift=math.nan), "travel_lift"),
+        (lambda: Plant(table=0.5), "table"),
+        (lambda: OneOf(()), "options"),
+        (lambda: find_plant(5), "plant"),
     ],
 )
 def test_a_value_that_no_rig_has_is_refused_by_name(make, name):
@@ -304,15 +462,20 @@ def test_whatever_may_be_a_range_is_drawn_and_flown():
     one, several = Uniform(0.1, 0.2), (Uniform(0.1, 0.2),) * 3
     plant = Plant(
         parameters=HelicopterParameters(k_plus=Uniform(4e-3, 5e-3), b1=Uniform(-0.7, -0.6)),
-        rotors=Rotors(lag=one, thrust_loss=one, slew=Uniform(40.0, 50.0)),
+        rotors=Rotors(lag=one, thrust_loss=one, slew=Uniform(40.0, 50.0), delay=one, gains=(one, one)),
         friction=Friction(viscous=several, coulomb=several),
-        sensors=Sensors(noise=Uniform(0.001, 0.002), rate_filter=one),
+        sensors=Sensors(noise=Uniform(0.001, 0.002), rate_filter=one, zeros=several),
         disturbances=(
             Push("pitch", one, one, one),
             Gust("pitch", one, one),
             MovingMass(one, one, one),
             RotorFault("back", one, one),
+            ThrustDrift(one, one, one),
         ),
+        thrust_map=ThrustMap(*[PowerCurve(Uniform(0.9, 1.1), -0.3, Uniform(1.0, 1.5), one)] * 2),
+        hover_voltage=Uniform(4.0, 5.0),
+        travel_lift=Uniform(-0.2, -0.1),
+        table=Table(Uniform(0.4, 0.5), one),
     )
     env = gym.make("heli_gym:Heli3DOF-v0", plant=plant)
     draws = []

@@ -20,7 +20,7 @@ from heli_gym.task import hover_voltage, reward, to_voltage
 
 REFERENCE = find_reference("travel-360")
 GUSTY = Plant(
-    rotors=Rotors(lag=0.1, slew=50.0, delay=2),
+    rotors=Rotors(lag=0.1, slew=50.0, delay=0.04),
     sensors=Sensors(noise=0.002),
     disturbances=(Gust("pitch", 0.5), Push("travel", 0.3, 0.1), RotorFault("back", 0.2, 0.2), MovingMass(0.05, 0.1)),
 )
@@ -112,7 +112,7 @@ def test_plants_delays_and_references_may_differ_from_helicopter_to_helicopter()
         Plant(),
         PLANTS["lab"],
         GUSTY,
-        Plant(rotors=Rotors(delay=3)),
+        Plant(rotors=Rotors(delay=0.06)),
         Plant(parameters=HelicopterParameters(b1=-0.7)),
     ]
     references = [REFERENCE, hover(3.0), hover(5.0, 0.1), REFERENCE, REFERENCE]

@@ -11,7 +11,7 @@ from heli_gym.simulation.simulation import Simulation
 torch = pytest.importorskip("torch")
 torch_simulation = pytest.importorskip("heli_gym.train.torch_simulation")
 
-SLOW = Plant(rotors=Rotors(lag=0.1, slew=30.0, delay=2))
+SLOW = Plant(rotors=Rotors(lag=0.1, slew=30.0, delay=0.04))
 
 
 def simulation(plants, dtype=np.float64):
@@ -75,7 +75,9 @@ def test_the_return_has_a_gradient_with_respect_to_the_actions():
     assert (actions.grad != 0.0).all()
 
 
-@pytest.mark.parametrize("plant", [Plant(sensors=Sensors(noise=0.01)), Plant(disturbances=(Gust("pitch", 0.5),))])
-def test_noise_and_disturbances_are_refused(plant):
+@pytest.mark.parametrize(
+    "plant", [Plant(sensors=Sensors(noise=0.01)), Plant(disturbances=(Gust("pitch", 0.5),)), Plant(travel_lift=-0.1)]
+)
+def test_plants_with_what_torch_does_not_simulate_are_refused(plant):
     with pytest.raises(ValueError, match="noise"):
         torch_simulation.to_torch(simulation([plant]))
