@@ -180,7 +180,7 @@ def live_data() -> dict[str, Any]:
         },
         "networks": {name: stored_network(name, elevation, parameters) for name in sorted(set(NETWORK_FOR.values()))},
         "network_for": NETWORK_FOR,
-        "plants": {name: plain(plant) for name, plant in PLANTS.items()},
+        "plants": {name: plain(plant) for name, plant in PLANTS.items() if not plant.is_general},
         "rig": solve_rigid_body("A")._asdict(),
         "policies": POLICIES,
         "grid": json.loads(PLANS.read_text()),
