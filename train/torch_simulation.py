@@ -143,17 +143,10 @@ def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Batch, State]
 
 def step(batch: Batch, state: State, actions: torch.Tensor) -> tuple[State, Outcome]:
     """Fly a control step of all helicopters under actions (N, 2): `kernels.control_step` without its loops."""
-<<<<<<< HEAD
-    s = fleet.settings
-    command = to_voltage(actions.T.clamp(-1.0, 1.0), (s.u_low, s.u_high), fleet.hover).clamp(s.u_low, s.u_high)
-    motor, pending = apply_amplifier(fleet, state, command)
-    rotor = torch.where(fleet.has_lag, state.rotor, motor)
-=======
     s = batch.settings
-    command = to_voltage(actions.T, (s.u_low, s.u_high)).clamp(s.u_low, s.u_high)
+    command = to_voltage(actions.T.clamp(-1.0, 1.0), (s.u_low, s.u_high), batch.hover).clamp(s.u_low, s.u_high)
     motor, pending = apply_amplifier(batch, state, command)
     rotor = torch.where(batch.has_lag, state.rotor, motor)
->>>>>>> 1562b0d (Plants as real rigs are: thrust maps, delay in seconds, unequal rotors, zeros, lift, drift, table; stiff friction stable)
     x, h = tuple(state.x), s.period / s.substeps
     for _ in range(int(s.substeps)):
         x, rotor = integrate(batch, x, motor, rotor, h)
@@ -208,16 +201,9 @@ def reference_row(batch: Batch, state: State) -> torch.Tensor:
     return batch.first + torch.minimum(state.step, batch.last)
 
 
-<<<<<<< HEAD
-def observe(fleet: Fleet, state: State) -> torch.Tensor:
+def observe(batch: Batch, state: State) -> torch.Tensor:
     """Observations (N, OBSERVED), float32."""
-    row = fleet.table[reference_row(fleet, state)]
+    row = batch.table[reference_row(batch, state)]
     error = torch.stack(observed_error(state.measured - row[:, :6].T), dim=1)
     shown = torch.cat((error, observed_voltage(state.command.T), row[:, 8:]), dim=1)
     return shown.clamp(-OBSERVATION_LIMIT, OBSERVATION_LIMIT).float()
-=======
-def observe(batch: Batch, state: State) -> torch.Tensor:
-    """Observations (N, 49), float32."""
-    features = batch.table[reference_row(batch, state)]
-    return torch.cat((state.measured.T - features[:, :6], state.command.T, features), dim=1).float()
->>>>>>> 1562b0d (Plants as real rigs are: thrust maps, delay in seconds, unequal rotors, zeros, lift, drift, table; stiff friction stable)

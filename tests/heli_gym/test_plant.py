@@ -34,12 +34,8 @@ from heli_gym.plant import (
 from heli_gym.rigid_body import rigid_dynamics, solve_rigid_body
 from heli_gym.simulation.layout import DISTURBANCES, GUST, MEASURED, MOTOR, ROTOR, ROW, X
 from heli_gym.simulation.simulation import Simulation
-<<<<<<< HEAD
 from heli_gym.task import hover_voltage, to_action
-=======
-from heli_gym.task import to_action
 from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustMap
->>>>>>> 1562b0d (Plants as real rigs are: thrust maps, delay in seconds, unequal rotors, zeros, lift, drift, table; stiff friction stable)
 
 P = HelicopterParameters()
 HOVER = (float(voltage(0.5 * hover_input(0.0, P)[0], P)),) * 2
