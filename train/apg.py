@@ -15,9 +15,10 @@ from threadpoolctl import threadpool_limits
 
 from heli_gym.baselines.control.residual import Network, RecurrentNetwork, ResidualPolicy
 from heli_gym.baselines.control.tracking import TrackingPolicy
-from heli_gym.simulation.layout import COUNTS, LAG, LOSS, MEASURED, PARAMETERS, ROTOR, VISCOUS, X
+from heli_gym.rigid_body import RigidBodyParameters
+from heli_gym.simulation.layout import COUNTS, LAG, LOSS, MEASURED, PARAMETERS, RIG, ROTOR, VISCOUS, X
 from heli_gym.train.checkpoint import read_checkpoint, write_state
-from heli_gym.train.flight_gradient import LANES, N_BODY, SUBSTEPS, Batch, Outcome, Rollout, Settings, Task, Weights
+from heli_gym.train.flight_gradient import LANES, SUBSTEPS, Batch, Outcome, Rollout, Settings, Task, Weights
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 GROUPS = ("error", "voltages", "preview")  # features that its network is shown
@@ -92,14 +93,8 @@ def task_of(policy: ResidualPolicy, envs: Heli3DOFVectorEnv, cost_weight: float,
     if not isinstance(base, TrackingPolicy) or policy.law != "saturated":
         raise ValueError(f"base: must be a feedforward with state feedback, not {type(base).__name__}")
     for plant in envs.simulation.plants:
-        if (
-            plant.rig is not None
-            or plant.disturbances
-            or plant.sensors is None
-            or plant.is_noisy
-            or any(plant.friction.coulomb)
-        ):
-            raise ValueError("plant: must have encoders, and neither a rig, Coulomb friction, noise nor disturbances")
+        if plant.disturbances or plant.sensors is None or plant.is_noisy or any(plant.friction.coulomb):
+            raise ValueError("plant: must have encoders, and neither Coulomb friction, noise nor disturbances")
     T = policy.x.shape[1] - 1
     policy.reset(np.random.default_rng(0))
     _, features = policy.observe(envs.control_period * np.arange(T), policy.x[:, :T])
@@ -134,8 +129,10 @@ def batch_of(envs: Heli3DOFVectorEnv, seed: int) -> Batch:
     lag, loss, viscous, counts = rows(LAG, 1)[0], rows(LOSS, 1)[0], rows(VISCOUS, 3), rows(COUNTS, 3)
     with np.errstate(divide="ignore"):
         decay = np.exp(-0.5 * envs.control_period / SUBSTEPS / lag)
-    body = np.array([a1, a2, a3, b1, b2, b3, *(np.array(c) + viscous), (1.0 - loss) * k_plus, decay, *counts])
-    assert body.shape == (N_BODY, LANES)
+    motion = [a1, a2, a3, b1, b2, b3, *(np.array(c) + viscous)]
+    if simulation.plants[0].alternatives[0].rig is not None:
+        motion = [*rows(RIG, len(RigidBodyParameters._fields)), *viscous]
+    body = np.array([(1.0 - loss) * k_plus, decay, *counts, *motion])
     return Batch(body, rows(X, 6).copy(), rows(MEASURED, 6).copy(), rows(ROTOR, 2).copy())
 
 

@@ -1,9 +1,9 @@
 """Gradient of flights with respect to a recurrent network's weights: backpropagation through simulator and network.
 
-A batch is `LANES` flights of plants like `lab`: equation (3) with viscous friction, rotor lag, thrust loss, delay and
-encoders, flown by a feedforward with state feedback, (51), that a GRU corrects. Compiled kernels fly one control period
-and carry its adjoint backwards; the products of the network's matrices are numpy's. Quantisation is passed straight
-through: its derivative counts as one.
+A batch is `LANES` flights of plants like `lab` and `rigid`: equation (3) or the full rigid body with viscous friction,
+rotor lag, thrust loss, delay and encoders, flown by a feedforward with state feedback, (51), that a GRU corrects.
+Compiled kernels fly one control period and carry its adjoint backwards; the products of the network's matrices are
+numpy's. Quantisation is passed straight through: its derivative counts as one.
 """
 
 from collections.abc import Callable
@@ -18,6 +18,15 @@ from heli_gym.compilation import Compiler
 from heli_gym.model import axpy, dynamics, rk4_step, virtual_input
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.plant import quantise
+from heli_gym.rigid_body import (
+    RigidBodyParameters,
+    coriolis,
+    generalised_forces,
+    gravity,
+    mass_matrix,
+    rigid_dynamics,
+    solve_symmetric,
+)
 from heli_gym.simulation import fast_math
 from heli_gym.task import TOLERANCE
 
@@ -28,9 +37,10 @@ PITCH_PENALTY = 20.0  # 1/(s rad²), of the square of the pitch beyond that
 LEAST_VOLTAGE = 0.5  # V, down to which the slope of the inverse of (2), infinite at zero, is its own
 N_SEEN = 10  # features that depend on the flight: tracking error (6), base voltages (2), last correction (2)
 
-# Rows of what a helicopter is:
-N_BODY = 14
-A1, A2, A3, B1, B2, B3, C1, C2, C3, K_PLUS, LAG_DECAY, COUNTS = range(12)
+# Rows of the numbers of a helicopter: k_plus with the thrust loss, of the rotor lag in half a substep, of the encoders;
+# then those of the equations of motion, `COEFFICIENTS` of (3) or `RIGID` of the rigid body, with viscous friction last.
+K_PLUS, LAG_DECAY, COUNTS, NUMBERS = 0, 1, 2, 5
+COEFFICIENTS, RIGID = 9, 14
 
 
 class Task(NamedTuple):
@@ -78,7 +88,7 @@ class Weights(NamedTuple):
 class Batch(NamedTuple):
     """Starts and plants of the flights. Arrays (..., LANES)."""
 
-    body: np.ndarray  # (N_BODY, LANES)
+    body: np.ndarray  # (NUMBERS + COEFFICIENTS, LANES), or (NUMBERS + RIGID, LANES)
     x: np.ndarray  # (6, LANES)
     measured: np.ndarray  # (6, LANES)
     u: np.ndarray  # (2, LANES), V, at the motors
@@ -162,11 +172,15 @@ def observe_adjoint(
         d_last[0, i], d_last[1, i] = d_features[8, i], d_features[9, i]
 
 
+# Equations of motion and the products of their Jacobians, by (3) or for the rigid body: `kernels` binds these names.
+
+
 def parameters_of(body: Any, i: int) -> Any:
-    """The helicopter i, its thrust loss included in k_plus."""
+    """Parameters of (3) of the helicopter i; those of its thrust map stand in rows of their own."""
+    k = NUMBERS
     return HelicopterParameters(
-        body[K_PLUS, i], 0.0, body[A1, i], body[A2, i], body[A3, i], body[B1, i], body[B2, i], body[B3, i],
-        body[C1, i], body[C2, i], body[C3, i],
+        0.0, 0.0, body[k, i], body[k + 1, i], body[k + 2, i], body[k + 3, i], body[k + 4, i], body[k + 5, i],
+        body[k + 6, i], body[k + 7, i], body[k + 8, i],
     )  # fmt: skip
 
 
@@ -187,6 +201,83 @@ def derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
         d[4] - p.c3 * d[5],
     )
     return d_x, (p.b1 * c2 * s3 * d[1] + p.b2 * c3 * d[3], p.b3 * d[5])
+
+
+def rigid_parameters_of(body: Any, i: int) -> Any:
+    """Rigid body and viscous friction (3) of the helicopter i."""
+    k = NUMBERS
+    rig = RigidBodyParameters(
+        body[k, i], body[k + 1, i], body[k + 2, i], body[k + 3, i], body[k + 4, i], body[k + 5, i], body[k + 6, i],
+        body[k + 7, i], body[k + 8, i], body[k + 9, i], body[k + 10, i],
+    )  # fmt: skip
+    return rig, (body[k + 11, i], body[k + 12, i], body[k + 13, i])
+
+
+def rigid_derivative(x: Any, v: Any, p: Any) -> Any:
+    """The full model with viscous friction."""
+    rig, c = p
+    dq1, ddq1, dq2, ddq2, dq3, ddq3 = rigid_dynamics(x, v, rig, sin, cos)
+    return dq1, ddq1 - c[0] * dq1, dq2, ddq2 - c[1] * dq2, dq3, ddq3 - c[2] * dq3
+
+
+def power(angles: Any, w: Any, v: Any, a: Any, rig: Any, test: Any) -> Any:
+    """Torques less the inertial ones at accelerations a (3) of (q1, eps, phi), times `test` (3)."""
+    ce, se, cf, sf = angles
+    D11, D22, D33, D12, D13, D23 = mass_matrix(ce, se, cf, sf, rig)
+    c1, c2, c3 = coriolis(ce, se, cf, sf, w[0], w[1], w[2], rig)
+    g1, g2, g3 = gravity(ce, se, cf, sf, rig)
+    Q1, Q2, Q3 = generalised_forces(ce, se, cf, sf, v[0], v[1], rig)
+    return (
+        test[0] * (Q1 - c1 - g1 - D11 * a[0] - D12 * a[1] - D13 * a[2])
+        + test[1] * (Q2 - c2 - g2 - D12 * a[0] - D22 * a[1] - D23 * a[2])
+        + test[2] * (Q3 - c3 - g3 - D13 * a[0] - D23 * a[1] - D33 * a[2])
+    )
+
+
+def rigid_derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
+    """The product of d (6) with the Jacobians of the full model.
+
+    From D a = f: the accelerations' product with d is that of D a - f with D^-1 d. By angles, a complex step; the
+    Coriolis torques are quadratic in the rates, so that their central difference is exact; the rest is linear.
+    """
+    rig, c = p
+    ce, se, cf, sf = cos(x[2]), -sin(x[2]), cos(x[4]), sin(x[4])
+    w = x[1], -x[3], x[5]
+    D = mass_matrix(ce, se, cf, sf, rig)
+    c1, c2, c3 = coriolis(ce, se, cf, sf, w[0], w[1], w[2], rig)
+    g1, g2, g3 = gravity(ce, se, cf, sf, rig)
+    Q1, Q2, Q3 = generalised_forces(ce, se, cf, sf, v[0], v[1], rig)
+    a = solve_symmetric(D, (Q1 - c1 - g1, Q2 - c2 - g2, Q3 - c3 - g3))
+    test = solve_symmetric(D, (d[1], -d[3], d[5]))
+    by_eps = power((ce - STEP * se, se + STEP * ce, cf, sf), w, v, a, rig, test).imag / 1e-30
+    by_phi = power((ce, se, cf - STEP * sf, sf + STEP * cf), w, v, a, rig, test).imag / 1e-30
+    by_w1 = quadratic_slope(ce, se, cf, sf, w, (1.0, 0.0, 0.0), rig, test)
+    by_w2 = quadratic_slope(ce, se, cf, sf, w, (0.0, 1.0, 0.0), rig, test)
+    by_w3 = quadratic_slope(ce, se, cf, sf, w, (0.0, 0.0, 1.0), rig, test)
+    front = generalised_forces(ce, se, cf, sf, 1.0, 0.0, rig)
+    back = generalised_forces(ce, se, cf, sf, 0.0, 1.0, rig)
+    d_x = (
+        0.0,
+        d[0] + by_w1 - c[0] * d[1],
+        -by_eps,
+        d[2] - by_w2 - c[1] * d[3],
+        by_phi,
+        d[4] + by_w3 - c[2] * d[5],
+    )
+    return d_x, (
+        test[0] * front[0] + test[1] * front[1] + test[2] * front[2],
+        test[0] * back[0] + test[1] * back[1] + test[2] * back[2],
+    )
+
+
+STEP = 1e-30j  # of angles
+
+
+def quadratic_slope(ce: Any, se: Any, cf: Any, sf: Any, w: Any, e: Any, rig: Any, test: Any) -> Any:
+    """The derivative of minus the Coriolis torques along e (3), times `test` (3)."""
+    u1, u2, u3 = coriolis(ce, se, cf, sf, w[0] + e[0], w[1] + e[1], w[2] + e[2], rig)
+    l1, l2, l3 = coriolis(ce, se, cf, sf, w[0] - e[0], w[1] - e[1], w[2] - e[2], rig)
+    return -0.5 * (test[0] * (u1 - l1) + test[1] * (u2 - l2) + test[2] * (u3 - l3))
 
 
 def scaled(h: Any, d: Any) -> Any:
@@ -430,9 +521,16 @@ class Kernels(NamedTuple):
 
 
 @cache
-def kernels(dtype: type) -> Kernels:
-    """The flight in double precision, the network in that of this dtype."""
-    double = Compiler(np.float64, {"sin": fast_math.sine, "cos": fast_math.cosine})
+def kernels(dtype: type, rigid: bool) -> Kernels:
+    """The flight in double precision, by (3) or as a rigid body; the network in the precision of this dtype."""
+    names: dict[str, Callable] = {"sin": fast_math.sine, "cos": fast_math.cosine}
+    if rigid:
+        names |= {
+            "parameters_of": rigid_parameters_of,
+            "derivative": rigid_derivative,
+            "derivative_adjoint": rigid_derivative_adjoint,
+        }
+    double = Compiler(np.float64, names)
     flight = map(double.entry, (observe, observe_adjoint, fly, fly_adjoint, command_adjoint))
     return Kernels(*flight, *map(Compiler(dtype).entry, (gru, gru_adjoint)))
 
@@ -468,9 +566,13 @@ class Rollout:
         self.h, self.gates = single(T + 1, n), single(T, 4 * n)
         self.from_hidden, self.from_input, self.output = single(3 * n), single(3 * n), single(2)
 
+    def kernels(self, batch: Batch) -> Kernels:
+        """The compiled functions for these helicopters."""
+        return kernels(self.dtype, len(batch.body) == NUMBERS + RIGID)
+
     def forward(self, weights: Weights, batch: Batch) -> Outcome:
         """Flies."""
-        k, task, s = kernels(self.dtype), self.task, self.task.settings
+        k, task, s = self.kernels(batch), self.task, self.task.settings
         T, delay = len(task.v_ref), task.delay
         self.batch, self.weights = batch, weights
         self.x[0], self.measured[0], self.rotors[0], self.alive[0] = batch.x, batch.measured, batch.u, 1.0
@@ -506,7 +608,8 @@ class Rollout:
 
     def backward(self, outcome: Outcome) -> Weights:
         """The gradient of `loss` of the flights that were flown last."""
-        k, task, s, w, batch = kernels(self.dtype), self.task, self.task.settings, self.weights, self.batch
+        task, s, w, batch = self.task, self.task.settings, self.weights, self.batch
+        k = self.kernels(batch)
         T, n, delay = len(task.v_ref), self.hidden, task.delay
         squares = np.radians(1.0) ** 2 * T * LANES  # d rms / d (sum / 2), rms in degrees
         slopes = np.stack(

@@ -9,12 +9,13 @@ from heli_gym.baselines.control.residual import ResidualPolicy  # noqa: E402
 from heli_gym.baselines.evaluation.metrics import flight_metrics  # noqa: E402
 from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
 from heli_gym.env import find_reference  # noqa: E402
+from heli_gym.plant import Plant, Push, Sensors  # noqa: E402
 from heli_gym.train.apg import AHEAD, GROUPS, Actor, batch_of, network_of, task_of, weights_of  # noqa: E402
 from heli_gym.train.flight_gradient import LANES, N_SEEN, Rollout, Weights  # noqa: E402
 from heli_gym.vector_env import Heli3DOFVectorEnv  # noqa: E402
 
 SHORT = find_reference("climb-7.5")
-COUNTS = slice(11, 14)
+COUNTS = slice(2, 5)
 
 
 def residual_policy(network=None, scale=4.0):
@@ -22,8 +23,8 @@ def residual_policy(network=None, scale=4.0):
     return ResidualPolicy(base, SHORT, network, scale, feature_groups=GROUPS, ahead=AHEAD)
 
 
-def helicopters(**kwargs):
-    return Heli3DOFVectorEnv(LANES, "lab", SHORT, start_spread_deg=5.0, **kwargs)
+def helicopters(plant="lab"):
+    return Heli3DOFVectorEnv(LANES, plant, SHORT, start_spread_deg=5.0)
 
 
 def random_weights(task, hidden, dtype, seed=0):
@@ -40,8 +41,9 @@ def random_weights(task, hidden, dtype, seed=0):
     return Weights(*((0.3 * rng.standard_normal(shape)).astype(dtype) for shape in shapes))
 
 
-def test_the_gradient_is_that_of_central_differences_where_sensors_are_smooth():
-    envs = helicopters()
+@pytest.mark.parametrize("plant", ["lab", "rigid"])
+def test_the_gradient_is_that_of_central_differences_where_sensors_are_smooth(plant):
+    envs = helicopters(plant)
     task = task_of(residual_policy(), envs, 0.5, 1.0)
     task = task._replace(
         v_ref=task.v_ref[:40], gains=task.gains[:40], x_ref=task.x_ref[:41], preview=task.preview[:40].astype(float)
@@ -62,9 +64,9 @@ def test_the_gradient_is_that_of_central_differences_where_sensors_are_smooth():
         assert (up - down) / (2.0 * step) == pytest.approx((slope * direction).sum(), rel=2e-4, abs=1e-6), name
 
 
-def flown(weights, hidden, policy, seed):
+def flown(weights, hidden, policy, seed, plant="lab"):
     """The states (6, T + 1, LANES) of compiled flights, and what the environment flies; and both costs."""
-    envs = helicopters()
+    envs = helicopters(plant)
     rollout = Rollout(task_of(residual_policy(), envs, 0.5, 1.0), hidden, np.float64)
     outcome = rollout.forward(weights, batch_of(envs, seed))
     flights = fly_many(envs, policy, seed)
@@ -73,11 +75,12 @@ def flown(weights, hidden, policy, seed):
     return rollout.x.transpose(1, 0, 2), np.stack([f.x for f in flights], axis=-1), outcome.cost, np.array(costs)
 
 
-def test_without_a_correction_the_flights_are_those_of_the_base_in_the_environment():
+@pytest.mark.parametrize("plant", ["lab", "rigid"])
+def test_without_a_correction_the_flights_are_those_of_the_base_in_the_environment(plant):
     task = task_of(residual_policy(), helicopters(), 0.5, 1.0)
     nothing = Weights(*map(np.zeros_like, random_weights(task, 3, float)))
     base = make_policy("feedforward+tvlqr@lab", SHORT)
-    states, expected, cost, expected_cost = flown(nothing, 3, base, 7)
+    states, expected, cost, expected_cost = flown(nothing, 3, base, 7, plant)
     assert_allclose(states, expected, atol=1e-9)
     assert_allclose(cost, expected_cost, atol=1e-9)
 
@@ -97,9 +100,9 @@ def test_the_flights_are_those_of_the_network_by_numpy_in_the_environment():
 
 
 def test_other_plants_and_bases_are_refused():
-    rigid = Heli3DOFVectorEnv(2, "rigid", SHORT)
-    with pytest.raises(ValueError, match="plant: must have"):
-        task_of(residual_policy(), rigid, 0.5, 1.0)
+    for plant in ("nominal", Plant(sensors=Sensors(), disturbances=(Push("pitch", 1.0, 1.0),))):
+        with pytest.raises(ValueError, match="plant: must have"):
+            task_of(residual_policy(), helicopters(plant), 0.5, 1.0)
     base = make_policy("kalman-lqr", SHORT)
     with pytest.raises(ValueError, match="base: must be"):
         task_of(ResidualPolicy(base, SHORT, None, 1.0, feature_groups=GROUPS, ahead=AHEAD), helicopters(), 0.5, 1.0)

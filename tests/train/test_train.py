@@ -189,7 +189,7 @@ def test_a_network_that_crashes_early_is_not_the_best_whatever_its_errors_until_
         ({"learning_rate": float("nan")}, "learning_rate = nan"),
         ({"algo": "apg"}, "envs: must be 128 helicopters"),
         (
-            {"algo": "apg", "plant": "rigid", "envs": LANES, "feature_groups": GROUPS, "base": "open-loop"},
+            {"algo": "apg", "plant": "nominal", "envs": LANES, "feature_groups": GROUPS, "base": "open-loop"},
             "plant: must have",
         ),
         ({"base": "moon"}, "base"),
