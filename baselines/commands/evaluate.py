@@ -17,6 +17,7 @@ from rich.table import Table
 from heli_gym.baselines.control.policies import POLICIES, is_learned, make_policy
 from heli_gym.baselines.evaluation import figures
 from heli_gym.baselines.evaluation.agents import make_pilot
+from heli_gym.baselines.evaluation.conditions import find_condition
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
 from heli_gym.baselines.evaluation.report import check_page, write_report
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
@@ -74,7 +75,9 @@ class Args:
         COMPARED  # which to fly: names, files (.json, .zip of Stable-Baselines3, .onnx), module:function
     )
     reference: str = "travel-360"  # a packaged reference, or an .npz file that heli-plan wrote
-    plant: str = "nominal"  # what is flown: nominal, lab or rigid; the latter two are drawn anew in each episode
+    plant: str = (
+        "nominal"  # what is flown: nominal, lab, rigid, NAME+outside; drawn anew in each episode where it has ranges
+    )
     episodes: int = 10  # from perturbed starts
     seed: int = HELD_OUT_SEED  # of the first episode; the others count on. Tuning and training stay below the default
     control_period: float = 0.02  # s, in these episodes
@@ -108,11 +111,11 @@ def evaluate(args: Args, console: Console, flights: list[Flight] | None = None) 
         raise ValueError(f"episodes = {args.episodes}: must be at least 1")
     if args.seed < 0:
         raise ValueError(f"seed = {args.seed}: must be at least 0")
-    exact = Heli3DOFEnv(args.plant, args.reference, PAPER_PERIOD)
+    exact = Heli3DOFEnv(find_condition(args.plant), args.reference, PAPER_PERIOD)
     reference = exact.reference
     off: dict[str, Any] = {"control_period": args.control_period, "start_spread_deg": args.start_spread_deg}
-    single = Heli3DOFEnv(args.plant, reference, **off)
-    perturbed = Heli3DOFVectorEnv(args.episodes, args.plant, reference, **off)
+    single = Heli3DOFEnv(exact.plant, reference, **off)
+    perturbed = Heli3DOFVectorEnv(args.episodes, exact.plant, reference, **off)
     # All that can be refused is made before the first flight.
     policies = {name: make_pilot(name, reference, args.control_period) for name in args.policies}
     # what was learned flies at its own control period only
@@ -251,7 +254,7 @@ def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory,
     """Every figure of the paper but its photographs and schematics; Figs. 10 and 11 of what is flown."""
     maneuver = Maneuver()
     parameters, limits = maneuver.parameters, maneuver.limits
-    env = Heli3DOFEnv(args.plant, args.reference, PAPER_PERIOD)
+    env = Heli3DOFEnv(find_condition(args.plant), args.reference, PAPER_PERIOD)
     reference, title = env.reference, f"{subject(args)} at {PAPER_PERIOD * 1e3:g} ms"
     start = reference.x[:, 0].copy()
     start[[0, 2]] += np.radians(FIGURE_START_DEG)

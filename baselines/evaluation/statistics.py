@@ -104,3 +104,17 @@ def with_interval(values: np.ndarray) -> dict[str, Any]:
     means = np.array([values[rng.integers(len(values), size=len(values))].mean(axis=0) for _ in range(RESAMPLES)])
     low, high = np.quantile(means, [0.5 - CONFIDENCE / 2, 0.5 + CONFIDENCE / 2], axis=0)
     return {"mean": mean.tolist(), "interval": [low.tolist(), high.tolist()]}
+
+
+def bootstrapped_means(values: np.ndarray, resamples: int = 1000) -> np.ndarray:
+    """Interquartile means (resamples, P) of values (P, draws), the same resampled draws for all P: paired."""
+    rng = np.random.default_rng(0)
+    draws = rng.integers(values.shape[1], size=(resamples, values.shape[1]))
+    return np.stack([middle_mean(row[draws]) for row in values], axis=1)
+
+
+def ranks(means: np.ndarray) -> np.ndarray:
+    """Ranks from 1 on (..., P) of means (..., P), the smallest first; what is alike shares the middle of its ranks."""
+    smaller = (means[..., None, :] < means[..., :, None]).sum(axis=-1)
+    alike = (means[..., None, :] == means[..., :, None]).sum(axis=-1)
+    return smaller + 0.5 * (alike + 1)

@@ -1,0 +1,378 @@
+"""`heli-leaderboard`: policies on the same draws of plants, along maneuvers, in tables with intervals and ranks.
+
+Each plant is also flown as PLANT+outside, with Coulomb friction, a weaker front rotor and gusts, which no controller
+was designed or tuned for. Flights are stored as they are flown: after a kill, the same command with --resume goes on.
+Policies are names (`NAME@PLANT`: with the weights that were tuned for the plant), files of learned policies (.json), of
+Stable-Baselines3 (.zip) or ONNX, and functions of your own, my_module:make. The folder then holds
+
+    flights.parquet, flights.csv   a row for every flight
+    leaderboard.md, .html, .json   the tables
+    pages/                         for each table, the median and the worst flight in plots and in 3D
+"""
+
+import html
+import json
+import platform
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Annotated, Any
+
+import tyro
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+from rich.table import Table
+
+from heli_gym.baselines.control.policies import POLICIES
+from heli_gym.baselines.control.weights import WEIGHTS
+from heli_gym.baselines.evaluation.conditions import OUTSIDE, find_condition
+from heli_gym.baselines.evaluation.labels import label_of
+from heli_gym.baselines.evaluation.leaderboard import (
+    Batch,
+    Condition,
+    Ledger,
+    Settings,
+    batches,
+    check_policies,
+    env_settings,
+    fly_all,
+    microseconds_per_step,
+    pilot_for,
+    policy_on,
+    standings,
+    write_tables,
+)
+from heli_gym.baselines.evaluation.report import write_report
+from heli_gym.baselines.evaluation.rollout import fly
+from heli_gym.cli import command, parse
+from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.plant import HELD_OUT_SEED, PLANTS
+from heli_gym.storage import atomic_write, check_folder
+
+NOT_COMPARED = ("middle-voltage", "zero", "residual-rigid")
+COMPARED = tuple(f"{name}@PLANT" if name in WEIGHTS else name for name in POLICIES if name not in NOT_COMPARED)
+SETTINGS = "settings.json"
+ON_A_PAGE = 6  # policies
+COLUMNS = (
+    "rank",
+    "policy",
+    "RMS error (deg)",
+    "travel (deg)",
+    "elevation (deg)",
+    "cost (s)",
+    "crashed (%)",
+    "success (%)",
+    "within limits (%)",
+    "better than {} (%)",
+    "µs per step",
+    "must know",
+)
+CAPTION = (
+    "Interquartile means over the draws and, in brackets, 95 % intervals of paired resamples. RMS error: distance in "
+    "travel and elevation together, to the end of the maneuver; a crashed flight counts at its last error, and as the "
+    "worst. Cost: excess over the planned limits, in their widths times s. Within limits: share of flights that never "
+    "left (9). Better: probability of a smaller error on the same draw."
+)
+
+
+@dataclass
+class Args:
+    """Fly a leaderboard."""
+
+    policies: Annotated[tuple[str, ...], tyro.conf.arg(aliases=["--policy"])] = (
+        COMPARED  # names, files, module:function
+    )
+    plants: tuple[str, ...] = tuple(PLANTS)
+    outside: bool = True  # whether each plant is also flown with disturbances outside the family
+    references: tuple[str, ...] = ("travel-360",)  # maneuvers: packaged references, or .npz files
+    episodes: int = 1000  # draws of each plant
+    seed: int = HELD_OUT_SEED  # of the first; the others count on
+    against: str = "feedforward+tvlqr@PLANT"  # the policy that the others are compared with, if it is flown
+    start_spread_deg: float = 5.0  # how far each angle of the starts may be off
+    control_period: float = 0.02  # s
+    workers: int = 2  # processes
+    batch: int = 100  # episodes that one process flies at once
+    out: Path = Path("out/leaderboard")
+    resume: bool = False  # go on with the leaderboard in this folder; policies, plants and maneuvers may be added
+    pages: bool = True  # whether to write pages with plots
+
+
+def check(args: Args) -> tuple[list[Condition], Settings]:
+    """The conditions and settings. Raises ValueError for arguments that make no sense, OSError for the folder."""
+    for name, least in (("episodes", 2), ("seed", 0), ("workers", 1), ("batch", 1)):
+        if getattr(args, name) < least:
+            raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least}")
+    if args.workers > 256:
+        raise ValueError(f"workers = {args.workers}: must be at most 256")
+    for name in ("policies", "plants", "references"):
+        values = getattr(args, name)
+        if not values or len(set(values)) < len(values):
+            raise ValueError(f"{name} = {values}: must name at least one, and none twice")
+    plants = [
+        name
+        for plant in args.plants
+        for name in ([plant, plant + OUTSIDE] if args.outside and not plant.endswith(OUTSIDE) else [plant])
+    ]
+    for plant in plants:
+        find_condition(plant)
+    conditions = [Condition(plant, reference) for reference in args.references for plant in dict.fromkeys(plants)]
+    settings = Settings(args.seed, args.episodes, args.batch, args.control_period, args.start_spread_deg)
+    for condition in conditions:
+        Heli3DOFEnv(**env_settings(condition, settings))
+    check_folder("out", args.out)
+    return conditions, settings
+
+
+def check_begun(args: Args, settings: Settings) -> None:
+    """Raises ValueError if the folder holds a leaderboard that is not to be gone on with, or one of other settings."""
+    path = args.out / SETTINGS
+    if not path.is_file():
+        return
+    if not args.resume:
+        raise ValueError(f"out: {args.out} holds a leaderboard already; --resume goes on with it")
+    try:
+        begun = json.loads(path.read_text())
+        earlier = {name: begun[name] for name in Settings._fields}
+    except (ValueError, KeyError, TypeError) as error:
+        raise ValueError(f"out: {path} must hold the settings of a leaderboard: {error}") from error
+    for name, value in settings._asdict().items():
+        if earlier[name] != value and name != "episodes":
+            raise ValueError(f"{name} = {value!r}: the leaderboard in {args.out} was begun with {earlier[name]!r}")
+
+
+def main(args: Args | None = None) -> None:
+    """The command `heli-leaderboard`."""
+    with command("heli-leaderboard"):
+        run(args or parse(Args, "heli-leaderboard", __doc__))
+
+
+def run(args: Args) -> None:
+    """Fly what is missing, then write and print the tables; interrupted, write those of the flights so far."""
+    conditions, settings = check(args)
+    wanted = batches(args.policies, conditions, settings)
+    check_policies(wanted, settings)
+    check_begun(args, settings)
+    console = Console(width=None if sys.stdout.isatty() else 180)
+    ledger = Ledger(args.out)
+    try:
+        write_json(args.out / SETTINGS, {**settings._asdict(), "version": version("heli-gym")})
+        missing = ledger.keep_whole(wanted)
+        try:
+            fly_missing(wanted, missing, settings, ledger, args.workers, console)
+        except KeyboardInterrupt:
+            rows = ledger.rows(wanted)
+            if rows:
+                write_tables(args.out, rows)
+            raise KeyboardInterrupt(f"{len(rows)} flights are in {args.out}; --resume goes on") from None
+        rows = ledger.rows(wanted)
+        for path in write_tables(args.out, rows):
+            console.print(f"flights: {path}")
+        tables = summarise(args, conditions, settings, rows)
+        write_json(args.out / "leaderboard.json", {"settings": settings._asdict(), "tables": tables})
+        write_text(args.out / "leaderboard.md", markdown(tables, settings))
+        write_text(args.out / "leaderboard.html", page(tables, settings, args.pages))
+        for table in tables:
+            print_table(table, console)
+        console.print(CAPTION)
+        if args.pages:
+            for condition, table in zip(conditions, tables):
+                write_flights(args.out / page_name(condition), condition, table, settings)
+        console.print(f"written to {args.out}")
+    finally:
+        ledger.close()
+
+
+def fly_missing(
+    wanted: Sequence[Batch],
+    missing: Sequence[Batch],
+    settings: Settings,
+    ledger: Ledger,
+    workers: int,
+    console: Console,
+) -> None:
+    """Fly the batches under a bar of flights with the time left."""
+    total, left = (sum(batch.episodes for batch in part) for part in (wanted, missing))
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=console) as progress:
+        bar = progress.add_task("flying", total=total, completed=total - left)
+        for batch in fly_all(missing, settings, ledger, workers):
+            progress.update(bar, advance=batch.episodes, description=f"{batch.policy} on {batch.condition.plant}")
+
+
+def summarise(
+    args: Args, conditions: Sequence[Condition], settings: Settings, rows: Sequence[dict[str, Any]]
+) -> list[dict[str, Any]]:
+    """One table per condition: its standings, with what a step takes and what each policy must know."""
+    tables = []
+    for condition in conditions:
+        own = [row for row in rows if (row["plant"], row["reference"]) == condition]
+        flown = {row["policy"] for row in own}
+        tuned = policy_on(args.against, condition.plant)
+        against = tuned if tuned in flown else tuned.partition("@")[0]
+        entries = standings(own, against)
+        for entry in entries:
+            entry["microseconds_per_step"] = microseconds_per_step(entry["policy"], condition, settings)
+            entry["must_know"] = label_of(entry["policy"]).needs
+        compared = label_of(against).text if against in flown else ""
+        tables.append({**condition._asdict(), "title": str(condition), "against": compared, "policies": entries})
+    return tables
+
+
+def columns_of(table: dict[str, Any]) -> list[str]:
+    """The headings of a table."""
+    return [name.format(table["against"] or "–") for name in COLUMNS]
+
+
+def cells(entry: dict[str, Any]) -> list[str]:
+    """One row under COLUMNS."""
+
+    def with_interval(value: dict[str, Any]) -> str:
+        low, high = value["interval"]
+        return f"{value['iqm']:.3g} [{low:.3g}, {high:.3g}]"
+
+    low, high = entry["rank"]["interval"]
+    better = entry["probability_of_improvement"]
+    return [
+        f"{entry['rank']['value']:g} [{low:.0f}, {high:.0f}]",
+        f"{entry['label']} ({entry['policy']})" if entry["label"] != entry["policy"] else entry["policy"],
+        *(with_interval(entry[key]) for key in ("rms_error_deg", "rms_travel_deg", "rms_elevation_deg", "cost")),
+        f"{100 * entry['crashed']:.1f}",
+        f"{100 * entry['success']:.1f}",
+        f"{100 * entry['within_limits']:.1f}",
+        "–" if better is None else f"{100 * better:.0f}",
+        f"{entry['microseconds_per_step']:.0f}",
+        entry["must_know"],
+    ]
+
+
+def heading(table: dict[str, Any]) -> str:
+    """The title of a table, with the number of draws that all its policies have flown."""
+    draws = table["policies"][0]["draws"] if table["policies"] else 0
+    return f"{table['title']}, {draws} draws"
+
+
+def print_table(table: dict[str, Any], console: Console) -> None:
+    """A table on the terminal, without the last column."""
+    shown = Table(title=heading(table))
+    for name in columns_of(table)[:-1]:
+        shown.add_column(name, justify="left" if name == "policy" else "right")
+    for entry in table["policies"]:
+        rank, _, *rest, _ = cells(entry)
+        shown.add_row(rank, entry["policy"], *rest)
+    console.print(shown)
+
+
+def note(settings: Settings) -> str:
+    """What all tables have in common, in a sentence."""
+    return (
+        f"heli-gym {version('heli-gym')}; seeds from {settings.seed} on; starts up to {settings.start_spread_deg:g}° "
+        f"off; control period {1e3 * settings.control_period:g} ms; times on {platform.machine()}."
+    )
+
+
+def markdown(tables: Sequence[dict[str, Any]], settings: Settings) -> str:
+    """All tables in Markdown."""
+
+    def line(values: Sequence[str]) -> str:
+        return f"| {' | '.join(value.replace('|', chr(92) + '|') for value in values)} |"
+
+    parts = ["# Leaderboard", "", note(settings), "", CAPTION]
+    for table in tables:
+        names = columns_of(table)
+        parts += ["", f"## {heading(table)}", "", line(names), line(["---"] * len(names))]
+        parts += [line(cells(entry)) for entry in table["policies"]]
+    return "\n".join(parts) + "\n"
+
+
+STYLE = (
+    "body{font:15px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:90rem;padding:0 1rem;color:#1d242d;"
+    "background:#fff}div{overflow-x:auto}table{border-collapse:collapse;font-size:14px}"
+    "th,td{padding:.35rem .7rem;text-align:right;border-bottom:1px solid #dfe4ea;white-space:nowrap}"
+    "th{vertical-align:bottom}td:nth-child(2),th:nth-child(2),td:last-child,th:last-child{text-align:left}"
+    "code{font-size:12px}summary{cursor:pointer;min-height:24px}"
+    "@media(prefers-color-scheme:dark){body{color:#e8ecf1;background:#14181d}a{color:#7cc4ff}th,td{border-color:#39424d}}"
+)
+
+
+def page(tables: Sequence[dict[str, Any]], settings: Settings, pages: bool) -> str:
+    """All tables as one HTML page without scripts, which loads nothing."""
+    escape = html.escape
+    parts = [
+        '<!doctype html><html lang="en"><head><meta charset="utf-8">',
+        '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">",
+        f"<title>heli_gym: leaderboard</title><style>{STYLE}</style></head><body><h1>Leaderboard</h1>",
+        f"<p>{escape(note(settings))}</p><p>{escape(CAPTION)}</p>",
+    ]
+    for table in tables:
+        condition = Condition(table["plant"], table["reference"])
+        link = f' <a href="{escape(page_name(condition))}">flights in plots and 3D</a>' if pages else ""
+        parts.append(f"<h2>{escape(heading(table))}</h2><p>{link}</p><div><table><thead><tr>")
+        parts += [f'<th scope="col">{escape(name)}</th>' for name in columns_of(table)]
+        parts.append("</tr></thead><tbody>")
+        for entry in table["policies"]:
+            parts.append("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in cells(entry)) + "</tr>")
+        parts.append("</tbody></table></div><details><summary>Single flights</summary><ul>")
+        for entry in table["policies"]:
+            for name in ("median", "worst"):
+                order = (
+                    f"heli-evaluate --policies {entry['policy']} --plant {table['plant']} --episodes 1 --no-figures "
+                    f"--reference {table['reference']} --seed {entry[f'{name}_seed']} --report flight.html"
+                )
+                parts.append(f"<li>{name} of {escape(entry['label'])}: <code>{escape(order)}</code></li>")
+        parts.append("</ul></details>")
+    return "".join((*parts, "</body></html>\n"))
+
+
+def page_name(condition: Condition) -> str:
+    """Where the flights of a condition are shown, from the leaderboard's folder."""
+    return f"pages/{condition.plant}-{Path(condition.reference).stem}.html"
+
+
+def write_flights(path: Path, condition: Condition, table: dict[str, Any], settings: Settings) -> None:
+    """The page of a condition: the best policies and the one compared with, on the best one's median and worst draw."""
+    entries = table["policies"]
+    chosen = [entry["policy"] for entry in entries[:ON_A_PAGE]]
+    env = Heli3DOFEnv(**env_settings(condition, settings))
+    groups = {}
+    for name in ("median", "worst"):
+        seed = entries[0][f"{name}_seed"]
+        groups[f"{name} draw of {entries[0]['label']}, seed {seed}"] = {
+            policy: fly(env, pilot_for(policy, condition, settings.control_period), seed=seed) for policy in chosen
+        }
+    names = columns_of(table)
+    write_report(
+        path,
+        title=str(condition),
+        table={
+            "title": heading(table),
+            "caption": CAPTION,
+            "columns": names,
+            "rows": [[row[0], entry["policy"], *row[2:]] for entry in entries for row in [cells(entry)]],
+        },
+        reference=find_reference(condition.reference),
+        flights=groups,
+    )
+
+
+def write_json(path: Path, value: Any) -> None:
+    """Atomically."""
+    write_text(path, json.dumps(value, indent=1) + "\n")
+
+
+def write_text(path: Path, text: str) -> None:
+    """Atomically."""
+    with atomic_write(path) as file:
+        file.write(text.encode())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,350 @@
+"""Policies x plants x maneuvers x draws, flown by several processes into one folder, and what follows from the rows.
+
+Every flight is a line of a file `flights/POLICY--PLANT--MANEUVER.jsonl`, which only one process appends to. After any
+kill, the batches that are not whole are flown again, and no others; nothing is counted twice.
+"""
+
+import contextlib
+import hashlib
+import json
+import multiprocessing
+import os
+import re
+import signal
+import sys
+import threading
+import time
+from collections.abc import Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from heli_gym.baselines.control.policies import is_learned
+from heli_gym.baselines.control.weights import TUNED, WEIGHTS
+from heli_gym.baselines.evaluation.agents import make_pilot
+from heli_gym.baselines.evaluation.conditions import OUTSIDE, find_condition
+from heli_gym.baselines.evaluation.labels import label_of
+from heli_gym.baselines.evaluation.scoring import FlightTable, score_episodes
+from heli_gym.baselines.evaluation.statistics import (
+    bootstrapped_means,
+    interquartile_mean,
+    interval,
+    probability_of_improvement,
+    rank_crashes_last,
+    ranks,
+)
+from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.storage import atomic_write, try_lock
+
+RETRIES = 3  # of a pool of processes in which one was killed
+TIMED_STEPS = 100
+SHOWN = ("rms_error_deg", "rms_travel_deg", "rms_elevation_deg", "cost")
+
+
+class Condition(NamedTuple):
+    """What is flown in all episodes of a table."""
+
+    plant: str
+    reference: str
+
+    def __str__(self) -> str:
+        return f"{self.reference} on {self.plant}"
+
+
+class Batch(NamedTuple):
+    """Episodes of a policy that a process flies without a pause."""
+
+    policy: str
+    condition: Condition
+    seed: int  # of the first
+    episodes: int
+
+
+class Settings(NamedTuple):
+    """What all flights of a leaderboard have in common."""
+
+    seed: int
+    episodes: int
+    batch: int
+    control_period: float
+    start_spread_deg: float
+
+
+def policy_on(name: str, plant: str) -> str:
+    """The name with @PLANT replaced by the plant, or by nothing where no weights are stored for it."""
+    kind, _, _ = name.partition("@PLANT")
+    if kind == name:
+        return name
+    plant = plant.removesuffix(OUTSIDE)
+    path = TUNED / f"{plant}.json"
+    stored = kind in WEIGHTS and path.is_file() and kind in json.loads(path.read_text())
+    return f"{kind}@{plant}" if stored else kind
+
+
+def batches(policies: Sequence[str], conditions: Sequence[Condition], settings: Settings) -> list[Batch]:
+    """All that is to be flown, the first batch of every policy first, so that what cannot be flown shows soon."""
+    pairs = [
+        (name, condition)
+        for condition in conditions
+        for name in dict.fromkeys(policy_on(policy, condition.plant) for policy in policies)
+    ]
+    return [
+        Batch(*pair, settings.seed + first, min(settings.batch, settings.episodes - first))
+        for first in range(0, settings.episodes, settings.batch)
+        for pair in pairs
+    ]
+
+
+# One process
+
+
+@lru_cache(maxsize=64)
+def pilot_for(policy: str, condition: Condition, control_period: float) -> Any:
+    """The policy, made once in each process."""
+    env = Heli3DOFEnv(find_condition(condition.plant), condition.reference, control_period)
+    return make_pilot(policy, env.reference, control_period, env.voltage_limits)
+
+
+def env_settings(condition: Condition, settings: Settings) -> dict[str, Any]:
+    """Arguments of the environments of a condition."""
+    return {
+        "plant": find_condition(condition.plant),
+        "reference": find_reference(condition.reference),
+        "control_period": settings.control_period,
+        "start_spread_deg": settings.start_spread_deg,
+    }
+
+
+def fly_batch(batch: Batch, settings: Settings) -> list[dict[str, Any]]:
+    """The rows of a batch."""
+    pilot = pilot_for(batch.policy, batch.condition, settings.control_period)
+    rows = score_episodes(pilot, env_settings(batch.condition, settings), batch.seed, batch.episodes)
+    names = {"policy": batch.policy, **batch.condition._asdict()}
+    return [{**names, **row, "within_limits": row["cost"] < 1e-9} for row in rows]
+
+
+def microseconds_per_step(policy: str, condition: Condition, settings: Settings) -> float:
+    """Median time in µs in which the policy decides, for one helicopter, on this machine."""
+    pilot = pilot_for(policy, condition, settings.control_period)
+    env = Heli3DOFEnv(**env_settings(condition, settings))
+    observation, info = env.reset(seed=0)
+    pilot.reset(np.random.default_rng(0))
+    seconds = []
+    for _ in range(TIMED_STEPS):
+        began = time.perf_counter()
+        if hasattr(pilot, "act"):
+            action = pilot.act(observation[None])[0]
+        else:
+            u = pilot(info["time"], info["measurement"])
+        seconds.append(time.perf_counter() - began)
+        observation, _, terminated, truncated, info = env.step(action if hasattr(pilot, "act") else env.to_action(u))
+        if terminated or truncated:
+            break
+    return 1e6 * float(np.median(seconds))
+
+
+def begin_worker() -> None:
+    """Leave Ctrl-C to the process that started this one, and end with it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+
+        def follow_parent() -> None:
+            parent.join()
+            os._exit(1)
+
+        threading.Thread(target=follow_parent, daemon=True).start()
+
+
+# The folder
+
+
+class Ledger:
+    """The rows of a leaderboard in a folder; while it is open, no other process may write there."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        (folder / "flights").mkdir(parents=True, exist_ok=True)
+        self.lock = open(folder / ".lock", "ab")  # noqa: SIM115
+        if not try_lock(self.lock):
+            self.lock.close()
+            raise ValueError(f"out = {str(folder)!r}: another heli-leaderboard is flying into this folder")
+
+    def close(self) -> None:
+        """Give the folder free."""
+        self.lock.close()
+
+    def path(self, policy: str, condition: Condition) -> Path:
+        """The file of a policy's flights, its name readable and unique."""
+        name = "--".join((policy, *condition))
+        digest = hashlib.sha256(name.encode()).hexdigest()[:8]
+        readable = re.sub(r"[^\w.+@-]+", "_", name)[-120:]
+        return self.folder / "flights" / f"{readable}--{digest}.jsonl"
+
+    def read(self, policy: str, condition: Condition) -> dict[int, dict[str, Any]]:
+        """The whole rows in a file, by seed."""
+        path = self.path(policy, condition)
+        rows: dict[int, dict[str, Any]] = {}
+        if path.is_file():
+            for line in path.read_bytes().split(b"\n"):
+                with contextlib.suppress(ValueError, KeyError, TypeError):  # what a kill cut off
+                    row = json.loads(line)
+                    rows.setdefault(int(row["seed"]), row)
+        return rows
+
+    def keep_whole(self, wanted: Sequence[Batch]) -> list[Batch]:
+        """The batches that have still to be flown; of those that are not whole, nothing is left in the files."""
+        missing = []
+        for policy, condition in dict.fromkeys((batch.policy, batch.condition) for batch in wanted):
+            own = [batch for batch in wanted if (batch.policy, batch.condition) == (policy, condition)]
+            rows = self.read(policy, condition)
+            lacking = [b for b in own if any(b.seed + k not in rows for k in range(b.episodes))]
+            missing += lacking
+            partial = {batch.seed + k for batch in lacking for k in range(batch.episodes)}
+            path = self.path(policy, condition)
+            kept = b"".join(line_of(row) for seed, row in rows.items() if seed not in partial)
+            if path.is_file() and path.read_bytes() != kept:
+                with atomic_write(path) as file:
+                    file.write(kept)
+        order = {batch: k for k, batch in enumerate(wanted)}
+        return sorted(missing, key=order.__getitem__)
+
+    def append(self, batch: Batch, rows: Sequence[dict[str, Any]]) -> None:
+        """Store the rows of a batch."""
+        with open(self.path(batch.policy, batch.condition), "ab") as file:
+            file.write(b"".join(map(line_of, rows)))
+            file.flush()
+            os.fsync(file.fileno())
+
+    def rows(self, wanted: Sequence[Batch]) -> list[dict[str, Any]]:
+        """All rows of what was to be flown, in order."""
+        found = []
+        for policy, condition in dict.fromkeys((batch.policy, batch.condition) for batch in wanted):
+            seeds = {
+                b.seed + k for b in wanted if (b.policy, b.condition) == (policy, condition) for k in range(b.episodes)
+            }
+            rows = self.read(policy, condition)
+            found += [rows[seed] for seed in sorted(seeds & set(rows))]
+        return found
+
+
+def line_of(row: dict[str, Any]) -> bytes:
+    """A row as one line of JSON."""
+    return json.dumps(row, allow_nan=False).encode() + b"\n"
+
+
+# All
+
+
+def fly_all(missing: Sequence[Batch], settings: Settings, ledger: Ledger, workers: int) -> Iterator[Batch]:
+    """Fly and store the batches, each yielded when its rows are stored.
+
+    When interrupted, what is in the air is brought home and stored. Raises RuntimeError if processes keep dying.
+    """
+    if workers == 1:
+        for batch in missing:
+            ledger.append(batch, fly_batch(batch, settings))
+            yield batch
+        return
+    waiting, failures = list(missing), 0
+    while waiting:
+        pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), begin_worker)
+        running: dict[Future, Batch] = {}
+        try:
+            while waiting or running:
+                while waiting and len(running) < 2 * workers:
+                    batch = waiting.pop(0)
+                    running[pool.submit(fly_batch, batch, settings)] = batch
+                done, _ = wait(running, return_when=FIRST_COMPLETED)
+                for future in done:
+                    rows = future.result()
+                    ledger.append(running[future], rows)
+                    yield running.pop(future)
+        except BrokenProcessPool as error:  # a process was killed: its batch, and those beside it, are flown again
+            failures += 1
+            if failures > RETRIES:
+                raise RuntimeError("processes keep dying; --resume goes on") from error
+            waiting = [*running.values(), *waiting]
+        except KeyboardInterrupt:
+            pool.shutdown(wait=True, cancel_futures=True)
+            for future, batch in running.items():
+                if future.done() and not future.cancelled() and future.exception() is None:
+                    ledger.append(batch, future.result())
+            raise
+        finally:
+            pool.shutdown(wait=True, cancel_futures=True)
+
+
+def write_tables(folder: Path, rows: list[dict[str, Any]]) -> list[Path]:
+    """Every flight's row as flights.csv and, with pyarrow, flights.parquet."""
+    paths = [folder / "flights.csv"]
+    FlightTable(rows).to_csv(paths[0])
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ImportError:
+        print("heli-leaderboard: without pyarrow there is no flights.parquet", file=sys.stderr)
+        return paths
+    paths.append(folder / "flights.parquet")
+    with atomic_write(paths[1]) as file:
+        pyarrow.parquet.write_table(pyarrow.Table.from_pylist(rows), file)
+    return paths
+
+
+def standings(rows: Sequence[dict[str, Any]], against: str) -> list[dict[str, Any]]:
+    """One entry per policy of flights of one condition on the same draws, the best first.
+
+    Policies rank by the interquartile mean of the RMS distance from the reference in travel and elevation, a crash
+    counting as the worst flight; the interval of a rank is that of paired resamples of the draws.
+    """
+    by_policy: dict[str, dict[int, dict[str, Any]]] = {}
+    for row in rows:
+        by_policy.setdefault(row["policy"], {})[row["seed"]] = row
+    common = sorted(set.intersection(*(set(flights) for flights in by_policy.values())))
+    if not common:
+        return []
+    names = list(by_policy)
+    crashed = np.array([[by_policy[name][seed]["crashed"] for seed in common] for name in names])
+    values = {
+        key: np.array([[by_policy[name][seed][key] for seed in common] for name in names], float)
+        for key in (*SHOWN, "success", "within_limits")
+    }
+    ranked = {key: np.array([rank_crashes_last(row, c) for row, c in zip(values[key], crashed)]) for key in SHOWN}
+    resampled = {key: bootstrapped_means(ranked[key]) for key in SHOWN}
+    orders = ranks(resampled["rms_error_deg"])
+    rank = ranks(np.array([interquartile_mean(row) for row in ranked["rms_error_deg"]]))
+    paper = names.index(against) if against in names else None
+    table = []
+    for k, name in enumerate(names):
+        entry: dict[str, Any] = {"policy": name, "label": label_of(name).text, "draws": len(common)}
+        entry["rank"] = {"value": float(rank[k]), "interval": interval(orders[:, k])}
+        for key in SHOWN:
+            entry[key] = {"iqm": interquartile_mean(ranked[key][k]), "interval": interval(resampled[key][:, k])}
+        entry |= {key: float(values[key][k].mean()) for key in ("success", "within_limits")}
+        entry["crashed"] = float(crashed[k].mean())
+        entry["probability_of_improvement"] = (
+            None
+            if paper is None
+            else probability_of_improvement(
+                values["rms_error_deg"][[k]],
+                values["rms_error_deg"][[paper]],
+                crashed[[k]],
+                crashed[[paper]],
+            )
+        )
+        order = np.argsort(np.where(crashed[k], np.inf, values["rms_error_deg"][k]), kind="stable")
+        entry["median_seed"], entry["worst_seed"] = common[order[len(common) // 2]], common[order[-1]]
+        table.append(entry)
+    return sorted(table, key=lambda entry: (entry["rank"]["value"], entry["policy"]))
+
+
+def check_policies(wanted: Sequence[Batch], settings: Settings) -> None:
+    """Make every policy once in this process, so that what cannot be made is named before the first flight."""
+    for policy, condition in dict.fromkeys((batch.policy, batch.condition) for batch in wanted):
+        if is_learned(policy) and settings.control_period != 0.02:
+            raise ValueError(f"policies: {policy!r} was trained for 0.02 s, not {settings.control_period:g} s")
+        pilot_for(policy, condition, settings.control_period)

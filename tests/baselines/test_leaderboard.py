@@ -1,0 +1,312 @@
+"""`heli-leaderboard`: the same draws for all, resumed after any kill, nothing twice, tables that a reader can check."""
+
+import csv
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from html import unescape
+
+import numpy as np
+import pytest
+
+from heli_gym.baselines import evaluate
+from heli_gym.baselines.commands import leaderboard as command
+from heli_gym.baselines.commands.leaderboard import Args
+from heli_gym.baselines.evaluation import leaderboard
+from heli_gym.baselines.evaluation.conditions import COULOMB, find_condition
+from heli_gym.baselines.evaluation.labels import LABELS, colours_of, label_of
+from heli_gym.baselines.evaluation.leaderboard import Condition, Ledger, Settings, batches, fly_all, standings
+from heli_gym.baselines.evaluation.statistics import interquartile_mean
+from heli_gym.plant import PLANTS, RotorFault
+
+SETTINGS = Settings(seed=5, episodes=6, batch=2, control_period=0.02, start_spread_deg=5.0)
+CONDITION = Condition("lab", "climb-7.5")
+SMALL = {
+    "policies": ("kalman-lqr@PLANT", "feedforward+tvlqr", "zero"),
+    "plants": ("lab",),
+    "references": ("climb-7.5",),
+    "episodes": 6,
+    "batch": 3,
+    "seed": 5,
+    "against": "feedforward+tvlqr",
+    "workers": 1,
+}
+
+
+def read(folder):
+    with open(folder / "flights.csv", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.fixture(scope="module")
+def flown(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("leaderboard") / "out"
+    command.main(Args(**SMALL, out=folder))
+    return folder
+
+
+def test_there_is_one_row_for_every_flight_and_it_is_the_flight_of_its_seed(flown):
+    rows = read(flown)
+    names = [(row["policy"], row["plant"], int(row["seed"])) for row in rows]
+    policies = ("kalman-lqr@lab", "feedforward+tvlqr", "zero")
+    assert sorted(names) == sorted(
+        (policy, plant, seed) for policy in policies for plant in ("lab", "lab+outside") for seed in range(5, 11)
+    )
+    alone = evaluate("feedforward+tvlqr", "lab", episodes=6, reference="climb-7.5", seed=5)
+    found = [
+        float(row["rms_travel_deg"]) for row in rows if names[0][1] == "lab" and row["policy"] == "feedforward+tvlqr"
+    ]
+    np.testing.assert_allclose(found[:6], alone.column("rms_travel_deg"), rtol=1e-6)
+
+
+def test_the_parquet_file_holds_the_same_rows(flown):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    rows = parquet.read_table(flown / "flights.parquet").to_pylist()
+    assert [{name: str(value) for name, value in row.items()} for row in rows] == read(flown)
+
+
+def test_the_tables_say_the_same_in_markdown_html_and_json(flown):
+    tables = json.loads((flown / "leaderboard.json").read_text())["tables"]
+    assert [table["plant"] for table in tables] == ["lab", "lab+outside"]
+    rows = read(flown)
+    for table in tables:
+        for entry in table["policies"]:
+            own = [r for r in rows if (r["policy"], r["plant"]) == (entry["policy"], table["plant"])]
+            errors = np.array([float(r["rms_error_deg"]) for r in own])
+            assert entry["rms_error_deg"]["iqm"] == pytest.approx(interquartile_mean(errors))
+            low, high = entry["rms_error_deg"]["interval"]
+            assert low <= entry["rms_error_deg"]["iqm"] <= high
+            for text in ((flown / "leaderboard.md").read_text(), (flown / "leaderboard.html").read_text()):
+                assert all(cell.replace("|", "\\|") in unescape(text) for cell in command.cells(entry))
+        assert [entry["rank"]["value"] for entry in table["policies"]] == [1.0, 2.0, 3.0]
+        assert table["policies"][-1]["policy"] == "zero"
+
+
+def test_the_page_fetches_nothing_and_runs_nothing(flown):
+    text = (flown / "leaderboard.html").read_text()
+    assert "default-src 'none'" in text
+    assert "<script" not in text
+    for link in re.findall(r'href="([^"]+)"', text):
+        assert (flown / link).is_file()
+
+
+def test_a_second_start_in_the_same_folder_is_refused_and_other_settings_too(flown, capsys):
+    before = (flown / "flights.csv").read_bytes()
+    for change, words in (
+        ({}, "holds a leaderboard already; --resume"),
+        ({"resume": True, "seed": 6}, "seed = 6"),
+        ({"resume": True, "batch": 4}, "batch = 4"),
+    ):
+        with pytest.raises(SystemExit, match=words):
+            command.main(Args(**{**SMALL, **change}, out=flown))
+    assert (flown / "flights.csv").read_bytes() == before
+
+
+def test_resuming_a_complete_one_flies_nothing_and_a_new_policy_joins(flown, monkeypatch, tmp_path):
+    (tmp_path / "my_own.py").write_text("def make():\n    return lambda t, measurement: (8.0, 8.0)\n")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", [str(tmp_path), *sys.path])
+    batches_flown = []
+    original = leaderboard.fly_batch
+
+    def counted(batch, settings):
+        batches_flown.append(batch)
+        return original(batch, settings)
+
+    monkeypatch.setattr(leaderboard, "fly_batch", counted)
+    command.main(Args(**{**SMALL, "resume": True, "pages": False}, out=flown))
+    assert batches_flown == []
+    joined = (*SMALL["policies"], "my_own:make")
+    command.main(Args(**{**SMALL, "policies": joined, "resume": True, "pages": False}, out=flown))
+    assert {batch.policy for batch in batches_flown} == {"my_own:make"}
+    assert "my_own:make" in (flown / "leaderboard.md").read_text()
+
+
+def fly_into(folder, workers=1, stop_after=None):
+    """All rows of a small leaderboard, or of its first batches, as if killed then."""
+    wanted = batches(("lqi", "zero"), [CONDITION], SETTINGS)
+    ledger = Ledger(folder)
+    try:
+        for n, _ in enumerate(fly_all(ledger.keep_whole(wanted), SETTINGS, ledger, workers)):
+            if stop_after is not None and n + 1 == stop_after:
+                break
+        return ledger.rows(wanted)
+    finally:
+        ledger.close()
+
+
+def test_what_a_kill_cut_off_is_flown_again_and_nothing_else_and_the_rows_are_the_same(tmp_path):
+    whole = fly_into(tmp_path / "whole")
+    assert len(whole) == 12
+    fly_into(tmp_path / "cut", stop_after=3)
+    for path in (tmp_path / "cut" / "flights").iterdir():
+        path.write_bytes(path.read_bytes()[:-20])  # in the middle of the last row
+    wanted = batches(("lqi", "zero"), [CONDITION], SETTINGS)
+    ledger = Ledger(tmp_path / "cut")
+    missing = ledger.keep_whole(wanted)
+    ledger.close()
+    assert len(missing) == 6 - 3 + 2  # the last batch of each of the two files
+    assert fly_into(tmp_path / "cut") == whole
+
+
+def test_rows_that_were_stored_twice_count_once(tmp_path):
+    whole = fly_into(tmp_path)
+    for path in (tmp_path / "flights").iterdir():
+        path.write_bytes(2 * path.read_bytes())
+    assert fly_into(tmp_path) == whole
+
+
+def test_two_leaderboards_do_not_fly_into_the_same_folder(tmp_path):
+    ledger = Ledger(tmp_path)
+    with pytest.raises(ValueError, match="another heli-leaderboard"):
+        Ledger(tmp_path)
+    ledger.close()
+    Ledger(tmp_path).close()
+
+
+@pytest.mark.slow
+def test_killed_at_any_moment_it_goes_on_and_ends_with_the_rows_of_an_undisturbed_run(tmp_path):
+    def order(folder, *more):
+        code = "from heli_gym import cli\nif __name__ == '__main__':\n    cli.run('heli-leaderboard')\n"
+        (tmp_path / "start.py").write_text(code)
+        arguments = [
+            "--policies",
+            "lqi",
+            "zero",
+            "--plants",
+            "lab",
+            "--references",
+            "climb-7.5",
+            "--episodes",
+            "40",
+            "--batch",
+            "4",
+            "--no-pages",
+        ]
+        return [sys.executable, str(tmp_path / "start.py"), *arguments, "--out", str(tmp_path / folder), *more]
+
+    subprocess.run(order("whole"), check=True, capture_output=True)
+    rng = np.random.default_rng(0)
+    for _ in range(4):
+        child = subprocess.Popen(order("killed", "--resume"), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(rng.uniform(3.0, 12.0))
+        child.send_signal(signal.SIGKILL)
+        child.wait()
+    subprocess.run(order("killed", "--resume"), check=True, capture_output=True)
+    assert read(tmp_path / "killed") == read(tmp_path / "whole")
+
+
+@pytest.mark.slow
+def test_a_killed_process_costs_its_batch_and_no_row(tmp_path):
+    whole = fly_into(tmp_path / "whole")
+    wanted = batches(("lqi", "zero"), [CONDITION], SETTINGS)
+    ledger = Ledger(tmp_path / "killed")
+    killed = False
+    for _ in fly_all(ledger.keep_whole(wanted), SETTINGS, ledger, 2):
+        if not killed:
+            children = subprocess.run(
+                ["pgrep", "-P", str(os.getpid()), "-f", "spawn_main"], capture_output=True, text=True
+            ).stdout.split()
+            os.kill(int(children[0]), signal.SIGKILL)
+            killed = True
+    rows = ledger.rows(wanted)
+    ledger.close()
+    assert rows == whole
+
+
+def test_interrupted_it_says_how_to_go_on_and_leaves_the_rows_so_far(tmp_path, monkeypatch, capsys):
+    original = leaderboard.fly_batch
+    flown = []
+
+    def interrupted(batch, settings):
+        if len(flown) == 3:
+            raise KeyboardInterrupt
+        flown.append(batch)
+        return original(batch, settings)
+
+    monkeypatch.setattr(leaderboard, "fly_batch", interrupted)
+    with pytest.raises(SystemExit) as end:
+        command.main(Args(**SMALL, out=tmp_path / "out"))
+    assert end.value.code == 130
+    assert "interrupted; 9 flights are in" in capsys.readouterr().err
+    assert len(read(tmp_path / "out")) == 9
+
+
+def row(policy, seed, error, crashed=False):
+    zero = dict.fromkeys(("rms_travel_deg", "rms_elevation_deg", "cost"), error)
+    return {
+        "policy": policy,
+        "seed": seed,
+        "rms_error_deg": error,
+        **zero,
+        "crashed": crashed,
+        "success": not crashed,
+        "within_limits": True,
+    }
+
+
+def test_the_better_policy_ranks_first_and_a_crash_never_helps():
+    rows = [row("a", k, 1.0 + 0.1 * k) for k in range(20)] + [row("b", k, 2.0 + 0.1 * k) for k in range(20)]
+    first, second = standings(rows, "b")
+    assert (first["policy"], first["rank"]) == ("a", {"value": 1.0, "interval": (1.0, 1.0)})
+    assert first["probability_of_improvement"] == 1.0
+    assert second["probability_of_improvement"] == 0.5
+    crashing = [row("a", k, 0.01, crashed=True) for k in range(20)] + rows[20:]
+    entries = {entry["policy"]: entry for entry in standings(crashing, "b")}
+    assert entries["a"]["probability_of_improvement"] == 0.0
+    some = [row("a", k, 0.01 if k < 12 else 3.0 + k, crashed=k < 12) for k in range(20)] + rows[20:]
+    assert standings(some, "b")[0]["policy"] == "b"
+
+
+def test_policies_are_compared_on_the_draws_that_all_have_flown():
+    rows = [row("a", k, 1.0) for k in range(9)] + [row("b", k, 2.0) for k in range(4, 20)]
+    assert [entry["draws"] for entry in standings(rows, "a")] == [5, 5]
+
+
+def test_outside_of_the_family_there_is_what_no_preset_has():
+    for name in PLANTS:
+        plant = find_condition(f"{name}+outside")
+        assert plant.friction.coulomb == COULOMB
+        assert plant.friction.viscous == PLANTS[name].friction.viscous
+        assert any(isinstance(value, RotorFault) and value.rotor == "front" for value in plant.disturbances)
+        assert find_condition(name) == PLANTS[name]
+    with pytest.raises(ValueError, match="plant = 'x'"):
+        find_condition("x+outside")
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"episodes": 1}, "episodes"),
+        ({"workers": 0}, "workers"),
+        ({"workers": 10_000}, "workers"),
+        ({"batch": 0}, "batch"),
+        ({"seed": -1}, "seed"),
+        ({"policies": ()}, "policies"),
+        ({"policies": ("zero", "zero")}, "policies"),
+        ({"policies": ("foo",)}, "foo"),
+        ({"policies": ("none.zip",)}, "none.zip"),
+        ({"policies": ("no_such:make",)}, "no_such"),
+        ({"plants": ("x",)}, "plant"),
+        ({"references": ("x",)}, "reference"),
+        ({"control_period": 0.0}, "control_period"),
+        ({"start_spread_deg": -1.0}, "start_spread_deg"),
+    ],
+)
+def test_what_is_refused_is_refused_before_anything_is_made(tmp_path, change, words):
+    with pytest.raises(SystemExit, match=words) as end:
+        command.main(Args(**{**SMALL, **change}, out=tmp_path / "out"))
+    assert end.value.code in (1, 2)
+    assert os.listdir(tmp_path) == []
+
+
+def test_each_policy_has_one_label_and_colours_that_are_shown_together_differ():
+    assert label_of("kalman-lqr@lab").text == "Kalman LQR, tuned for lab"
+    assert label_of("my_own:make") == label_of("my_own:make")
+    names = [*LABELS, "mine", "yours", "kalman-lqr@lab"]
+    few = names[:9]
+    assert len(set(colours_of(few))) == len(few)
