@@ -97,6 +97,21 @@ REFUSED = {
         (["--out", "FOLDER", "--no-open"], "out"),
         (["--solve"], "solve"),
     ],
+    "heli-leaderboard": [
+        (["--plants", "lunar"], "plant = 'lunar'"),
+        (["--plants"], "plants"),
+        (["--policies", "foo"], "foo"),
+        (["--policy", "foo"], "foo"),
+        (["--policies", "none.zip"], "none.zip"),
+        (["--policies", "FILE:make"], "FILE"),
+        (["--policies", "no_such_module:make"], "no_such_module"),
+        (["--references", "nowhere"], "nowhere"),
+        (["--episodes", "1"], "episodes"),
+        (["--workers", "0"], "workers"),
+        (["--batch", "0"], "batch"),
+        (["--seed", "-1"], "seed"),
+        (OUT_IS_A_FILE, "out"),
+    ],
     "heli-log": [
         ([], "log|LOG|required|Missing"),
         (["none.csv"], "none.csv"),
@@ -200,6 +215,7 @@ WRITERS = {
     "heli-compare-planners": (["--out", "{}"]),
     "heli-results": (["--out", "{}"]),
     "heli-train": (["--out", "{}"]),
+    "heli-leaderboard": (["--out", "{}"]),
     "heli-export-onnx": (["--out", "{}/x.onnx"]),
 }
 
