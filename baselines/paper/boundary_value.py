@@ -23,6 +23,7 @@ MESH = {14: 50, 38: 100}  # points of the first mesh, by equation; 50 as in Sect
 COARSE, FINE = 1e-3, 1e-5  # relative residuals of the search and of the plan
 MAX_NODES = {COARSE: 500, FINE: 2000}
 SAMPLE_PERIOD = 1e-3  # s, at most, between the samples of a plan: the paper's sampling time (Section IV)
+MOST_SAMPLES = 200_000  # of a plan: longer ones are sampled less often
 CLOSEST_PITCH = 0.95  # share of the pitch limit to which the first guess is clipped: psi1 never reaches it
 PITCH_RESERVE = 1e-5  # share by which (26) is tightened, so that the replayed pitch keeps its limits between samples
 
@@ -299,7 +300,7 @@ class ConstrainedProblem:
 
 def sample_times(maneuver: Maneuver) -> np.ndarray:
     """Times (K,) in s at which a plan is sampled."""
-    return np.linspace(0.0, maneuver.duration, 1 + int(np.ceil(maneuver.duration / SAMPLE_PERIOD)))
+    return np.linspace(0.0, maneuver.duration, 1 + min(int(np.ceil(maneuver.duration / SAMPLE_PERIOD)), MOST_SAMPLES))
 
 
 def run_solver(rhs, boundary, guess: Solution, rhs_jacobian, boundary_jacobian, tolerance: float) -> Solution | None:

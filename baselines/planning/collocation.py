@@ -134,6 +134,8 @@ def collocated_trajectory(
             return trajectory
         pitch_min, pitch_max = tight.limits.pitch
         excess *= 1.5
+        if not pitch_min + excess < 0.0 < pitch_max - excess:
+            return None
         tight = replace(
             maneuver, limits=replace(maneuver.limits, pitch_min=pitch_min + excess, pitch_max=pitch_max - excess)
         )

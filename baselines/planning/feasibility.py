@@ -2,15 +2,19 @@
 
 import math
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 import numpy as np
 
-from heli_gym.model import virtual_input
+from heli_gym.baselines.paper.boundary_value import SAMPLE_PERIOD, sample_times
+from heli_gym.model import fan_thrusts, hover_input, linearise, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
-ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s, between the end of the replayed plan and the goal
+ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s, between the end of the replayed plan and the goal, for each turn of travel
+LONGEST_PLAN, FARTHEST_GOAL = 1e4, 1e5  # s and rad: beyond, no plan is looked for
 LIMIT_TOLERANCE = 1e-6  # V and rad
+GROWTH = 8.0  # exponent by which an unstable flight lets errors grow before its replay starts anew from the plan
 NEAR = 1e-3  # share of its window from the end at which a voltage counts as riding on its limit
 LENGTHENING, ATTEMPTS = 1.4, 16  # factor by which a duration is stretched until a plan is found, and how often
 SHORTEST = 2.0  # s, of any maneuver that is worth trying
@@ -46,6 +50,40 @@ class TimeLimit:
     def left(self) -> float:
         """Seconds."""
         return self.end - time.perf_counter()
+
+
+def arrival_tolerance(maneuver: Maneuver) -> float:
+    """How far from the goal a replayed plan may end, in rad and rad/s: 1e-3, and as much for each full turn."""
+    turns = abs(maneuver.goal[0] - maneuver.start[0]) / (2.0 * math.pi)
+    return ARRIVAL_TOLERANCE * max(1.0, turns)
+
+
+def check_scale(maneuver: Maneuver) -> None:
+    """Raises ValueError for a maneuver that is too short, too long or too far for any plan to be looked for."""
+    if not SAMPLE_PERIOD <= maneuver.duration <= LONGEST_PLAN:
+        raise ValueError(
+            f"duration = {maneuver.duration:g}: must be {SAMPLE_PERIOD:g} s, the sampling time of plans, to "
+            f"{LONGEST_PLAN:g} s"
+        )
+    if not abs(maneuver.goal[0] - maneuver.start[0]) <= FARTHEST_GOAL:
+        raise ValueError(f"goal = {maneuver.goal}: must be within {FARTHEST_GOAL:g} rad of the start {maneuver.start}")
+
+
+def followed_by_hover(trajectory: Trajectory, maneuver: Maneuver) -> Trajectory:
+    """A plan of the maneuver in a shorter time, then hover at the goal for the rest of the maneuver's duration."""
+    left = maneuver.duration - trajectory.duration
+    if left <= 0.0:
+        return trajectory
+    rest = sample_times(replace(maneuver, duration=left))[1:]
+    t = np.concatenate((trajectory.t, trajectory.duration + rest))
+    t[-1] = maneuver.duration
+    travel, elevation = maneuver.goal
+    hover = maneuver.rig.voltage(np.array(fan_thrusts(hover_input(elevation, maneuver.parameters))))
+    x = np.repeat([[travel], [0.0], [elevation], [0.0], [0.0], [0.0]], len(rest), axis=1)
+    u = np.repeat(hover[:, None], len(rest), axis=1)
+    return replace(
+        trajectory, t=t, x=np.concatenate((trajectory.x, x), axis=1), u=np.concatenate((trajectory.u, u), axis=1)
+    )
 
 
 def start_clock(maneuver: Maneuver, time_limit: float | None) -> TimeLimit:
@@ -86,15 +124,32 @@ def validated(maneuver: Maneuver, trajectory: Trajectory | None, clock: TimeLimi
     return trajectory if fault is None else None
 
 
+def replay_ends(maneuver: Maneuver, duration: float) -> np.ndarray:
+    """Times at which a replay starts anew from the plan: but for the ends, only where errors would grow by e^GROWTH.
+
+    Where hover is unstable by itself, no flight without feedback arrives, however exact its plan is.
+    """
+    rates = [
+        np.linalg.eigvals(linearise(x, hover_input(x[2], maneuver.parameters), maneuver.parameters)[0]).real.max()
+        for x in ([0.0, 0.0, elevation, 0.0, 0.0, 0.0] for _, elevation in (maneuver.start, maneuver.goal))
+    ]
+    return np.linspace(0.0, duration, 1 + math.ceil(max(1.0, max(rates) * duration / GROWTH)))
+
+
 def fault_of(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
     """The promise of `plan` that a trajectory breaks, found by replaying it through (3); None if it keeps all."""
     from heli_gym.baselines.planning.replay import replay  # compiles, or loads what was compiled before
 
-    limits = maneuver.limits
+    limits, t = maneuver.limits, trajectory.t
     v = np.stack(virtual_input(maneuver.rig.thrust(trajectory.u)))
-    end, *pitch = replay(trajectory.x[:, 0], v, trajectory.duration, maneuver.parameters)
-    miss = np.abs(end - trajectory.x[:, -1]).max()
-    if not miss <= ARRIVAL_TOLERANCE:
+    ends = np.searchsorted(t, replay_ends(maneuver, trajectory.duration))
+    miss, pitch = 0.0, [0.0]
+    for start, end in pairwise(ends):
+        along = slice(start, end + 1)
+        x, *extremes = replay(trajectory.x[:, start], v[:, along], t[along] - t[start], maneuver.parameters)
+        miss += np.abs(x - trajectory.x[:, end]).max()
+        pitch += extremes
+    if not miss <= arrival_tolerance(maneuver):
         return f"the plan, replayed, misses the goal by {miss:.2g} rad or rad/s"
     for name, unit, values, (low, high) in (
         ("voltages", "V", trajectory.u, limits.u),

@@ -2,8 +2,6 @@
 
 from dataclasses import replace
 
-import numpy as np
-
 from heli_gym.baselines.paper.boundary_value import FINE, ConstrainedProblem, Solution, solve_unconstrained
 from heli_gym.baselines.paper.shooting import solve_by_shooting, solve_near
 from heli_gym.baselines.planning.feasibility import (
@@ -11,10 +9,12 @@ from heli_gym.baselines.planning.feasibility import (
     LENGTHENING,
     SHORTEST,
     TimeLimit,
+    followed_by_hover,
     infeasible,
     start_clock,
     validated,
 )
+from heli_gym.baselines.planning.spline import EASY, easy_duration
 from heli_gym.trajectory import Maneuver, Trajectory
 
 FARTHEST, NEAREST = (
@@ -31,6 +31,8 @@ def plan_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     if trajectory is None:
         trajectory, found = shortened(maneuver, clock)
         if trajectory is None:
+            trajectory = hover_after_fastest(maneuver, clock)
+        if trajectory is None:
             raise infeasible(maneuver, shortest_checked(maneuver, found, clock), clock)
     return trajectory
 
@@ -42,6 +44,15 @@ def plan_fastest_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     if fastest is None or fastest.duration > maneuver.duration:
         raise infeasible(maneuver, fastest, clock)
     return fastest
+
+
+def hover_after_fastest(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
+    """The fastest plan, then hover, if that is faster than requested."""
+    _, found = shortened(replace(maneuver, duration=SHORTEST), clock)
+    fastest = shortest_checked(maneuver, found, clock)
+    if fastest is None or fastest.duration > maneuver.duration:
+        return None
+    return validated(maneuver, followed_by_hover(fastest, maneuver), clock)
 
 
 def plan_by_shooting(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
@@ -99,10 +110,7 @@ def shortened(maneuver: Maneuver, clock: TimeLimit) -> tuple[Trajectory | None, 
 
 def first_solution(maneuver: Maneuver, clock: TimeLimit) -> Solution:
     """A solution of (38) in a longer time, found from the unconstrained plan; raises InfeasibleManeuver if none is."""
-    # Level flight at the pitch limit accelerates the travel by b1/b2 a2 tan(q3), see (14a), half of the way.
-    p, pitch = maneuver.parameters, min(np.abs(maneuver.limits.pitch))
-    acceleration = abs(p.b1 / p.b2 * p.a2) * np.tan(pitch)
-    duration = SHORTEST + 2.0 * np.sqrt(abs(maneuver.goal[0] - maneuver.start[0]) / acceleration)
+    duration = SHORTEST + easy_duration(maneuver) / EASY - 1.0
     for _ in range(ATTEMPTS):
         duration *= LENGTHENING
         if duration > maneuver.duration:

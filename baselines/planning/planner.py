@@ -15,6 +15,8 @@ from heli_gym.baselines.planning.feasibility import (
     SHORTEST,
     InfeasibleManeuver,
     TimeLimit,
+    check_scale,
+    followed_by_hover,
     infeasible,
     start_clock,
     validated,
@@ -30,7 +32,6 @@ from heli_gym.parameters import Limits
 from heli_gym.trajectory import Maneuver, Trajectory
 
 PITCH_RESERVES = (0.0, 1e-4)  # shares of the pitch limits that the fastest spline leaves: flown, it is off by 1e-5 rad
-MARGINS = (1e-3, 1e-2)  # shares of the shortest duration by which it is lengthened until its smoothest plan is found
 FLAT_ACCURACY = 1e-3  # relative, of the shortest duration of a flat plan
 WORTH_NAMING = 0.01  # share of the duration that a limit must cost, by its whole window, to be called in the way
 
@@ -40,6 +41,7 @@ def plan_unconstrained(maneuver: Maneuver) -> Trajectory:
 
     Raises InfeasibleManeuver if there is none: below some duration the pitch would have to pass 90 degrees.
     """
+    check_scale(maneuver)
     solution = solve_unconstrained(maneuver, FINE)
     if solution is None:
         raise InfeasibleManeuver(
@@ -54,7 +56,7 @@ def plan(
     """A trajectory from rest to rest that meets the maneuver's limits.
 
     Whatever the method, what is returned has been replayed through (3) by an adaptive integrator: it ends within
-    1e-3 rad and 1e-3 rad/s of the goal, and stays within the limits to 1e-6 V and rad.
+    1e-3 rad and 1e-3 rad/s of the goal for each turn of travel, and stays within the limits to 1e-6 V and rad.
 
     Args:
         maneuver: what is asked for.
@@ -78,6 +80,7 @@ def plan(
     """
     if method not in METHODS:
         raise ValueError(f"method = {method!r}: must be one of {', '.join(METHODS)}")
+    check_scale(maneuver)
     clock = start_clock(maneuver, time_limit)
     if near is None:
         return METHODS[method](maneuver, clock)
@@ -114,6 +117,7 @@ def plan_fastest(
         raise ValueError(f"reserve = {reserve!r}: must be at least 0 and less than 1")
     if maneuver.start == maneuver.goal:
         raise ValueError(f"goal = {maneuver.goal}: must differ from the start")
+    check_scale(maneuver)
     requested = replace(maneuver, limits=with_pitch_reserve(maneuver.limits, reserve))
     return replace(FASTEST[method](requested, start_clock(maneuver, time_limit)), limits=maneuver.limits)
 
@@ -131,9 +135,42 @@ def with_pitch_reserve(limits: Limits, reserve: float) -> Limits:
 
 
 def plan_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """The paper's plan, where shooting finds one, or else a spline."""
+    """The paper's plan, where shooting finds one, or else a spline; where there is none, another method's."""
     trajectory = plan_by_shooting(maneuver, clock)
-    return plan_spline(maneuver, clock) if trajectory is None else trajectory
+    if trajectory is not None:
+        return trajectory
+    try:
+        return plan_spline(maneuver, clock)
+    except InfeasibleManeuver as refusal:
+        clock.check()
+        if refusal.shortest_duration is not None and refusal.shortest_duration > maneuver.duration:
+            raise
+    fastest = plan_fastest_auto(maneuver, clock)
+    trajectory = validated(maneuver, followed_by_hover(fastest, maneuver), clock)
+    if trajectory is None:
+        raise infeasible(maneuver, fastest, clock)
+    return trajectory
+
+
+def plan_fastest_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """The fastest spline; where there is none, another method's."""
+    return first_of(("spline", "collocation", "flat", "paper"), FASTEST, maneuver, clock)
+
+
+def first_of(names: tuple[str, ...], methods: dict, maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """The plan of the first method that finds one; the first refusal that names a duration ends the search."""
+    refusals = []
+    for name in names:
+        try:
+            return methods[name](maneuver, clock)
+        except ImportError:  # of CasADi
+            continue
+        except InfeasibleManeuver as refusal:
+            clock.check()
+            if refusal.shortest_duration is not None:
+                raise
+            refusals.append(refusal)
+    raise refusals[0]
 
 
 def auto_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
@@ -155,32 +192,32 @@ def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     trajectory = validated(maneuver, spline.plan_smoothest(maneuver), clock)
     if trajectory is not None:
         return trajectory
-    fastest, _ = fastest_spline(maneuver, clock)
-    if fastest.duration <= maneuver.duration:
-        trajectory = validated(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check), clock)
-        if trajectory is not None:
-            return trajectory
-    for margin in MARGINS:
-        longer = replace(maneuver, duration=(1.0 + margin) * max(fastest.duration, maneuver.duration))
-        if validated(longer, spline.plan_lengthened(longer, fastest, clock.check), clock) is not None:
-            raise InfeasibleManeuver(
-                f"no plan for {maneuver}; the shortest found takes {longer.duration:.2f} s: "
-                f"{binding_limits(longer, fastest)}",
-                longer.duration,
-            )
-    raise InfeasibleManeuver(f"no plan for {maneuver}: {binding_limits(maneuver, fastest)}")
+    fastest, trajectory = fastest_spline(maneuver, clock)
+    if fastest.duration > maneuver.duration:
+        raise slower_than_requested(maneuver, fastest)
+    lengthened = validated(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check), clock)
+    if lengthened is None:
+        lengthened = validated(maneuver, followed_by_hover(trajectory, maneuver), clock)
+    if lengthened is None:
+        raise infeasible(maneuver, trajectory, clock)
+    return lengthened
 
 
 def plan_fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """The spline of the shortest duration."""
     fastest, trajectory = fastest_spline(maneuver, clock)
     if fastest.duration > maneuver.duration:
-        raise InfeasibleManeuver(
-            f"no plan for {maneuver}; the shortest found takes {fastest.duration:.2f} s: "
-            f"{binding_limits(maneuver, fastest)}",
-            fastest.duration,
-        )
+        raise slower_than_requested(maneuver, fastest)
     return trajectory
+
+
+def slower_than_requested(maneuver: Maneuver, fastest: spline.Spline) -> InfeasibleManeuver:
+    """The refusal of a maneuver that takes at least as long as the fastest spline."""
+    return InfeasibleManeuver(
+        f"no plan for {maneuver}; the shortest found takes {fastest.duration:.2f} s: "
+        f"{binding_limits(maneuver, fastest)}",
+        fastest.duration,
+    )
 
 
 def fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> tuple[spline.Spline, Trajectory]:
@@ -290,7 +327,7 @@ NEARBY: dict[str, Callable[[Maneuver, Trajectory, TimeLimit], Trajectory | None]
     "spline": spline_near,
 }
 FASTEST: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
-    "auto": plan_fastest_spline,
+    "auto": plan_fastest_auto,
     "spline": plan_fastest_spline,
     "paper": plan_fastest_paper,
     "flat": plan_fastest_flat,

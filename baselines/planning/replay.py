@@ -32,10 +32,11 @@ ERROR = (71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.
 def replay_kernel() -> Callable:
     """The compiled `replay`; compiled at its first call, and then kept on disk for as long as (3) stays what it is."""
 
-    def replay(x, v, duration, parameters):
+    def replay(x, v, times, parameters):
         x, new, rates = x.copy(), np.empty(6), np.empty((7, 6))
         last = v.shape[1] - 1
-        t, h, low, high = 0.0, 0.2 * LONGEST, x[4], x[4]
+        duration = times[last]
+        t, h, low, high, k = 0.0, 0.2 * LONGEST, x[4], x[4], 0
         while duration - t > 1e-12 * duration:
             h = min(h, LONGEST, duration - t)
             for stage in range(7):
@@ -43,9 +44,13 @@ def replay_kernel() -> Callable:
                     new[i] = x[i]
                     for j in range(stage):
                         new[i] += h * STAGES[stage][j] * rates[j, i]
-                s = min((t + NODES[stage] * h) / duration, 1.0) * last
-                k = min(int(s), last - 1)
-                v1, v2 = v[0, k] + (s - k) * (v[0, k + 1] - v[0, k]), v[1, k] + (s - k) * (v[1, k + 1] - v[1, k])
+                now = min(t + NODES[stage] * h, duration)
+                while k > 0 and times[k] > now:
+                    k -= 1
+                while k < last - 1 and times[k + 1] < now:
+                    k += 1
+                s = (now - times[k]) / (times[k + 1] - times[k])
+                v1, v2 = v[0, k] + s * (v[0, k + 1] - v[0, k]), v[1, k] + s * (v[1, k + 1] - v[1, k])
                 state = (new[0], new[1], new[2], new[3], new[4], new[5])
                 derivative = dynamics(state, (v1, v2), parameters, math.sin, math.cos)
                 for i in range(6):
@@ -69,9 +74,9 @@ def replay_kernel() -> Callable:
     return jit_cached(replay)
 
 
-def replay(x: np.ndarray, v: np.ndarray, duration: float, parameters: HelicopterParameters) -> tuple:
+def replay(x: np.ndarray, v: np.ndarray, t: np.ndarray, parameters: HelicopterParameters) -> tuple:
     """The state (6,) at the end, and the lowest and highest pitch on the way, of a flight from x (6,).
 
-    v (2, K) in N are the virtual inputs at equidistant times, linear in between.
+    v (2, K) in N are the virtual inputs at the times t (K,) in s, linear in between.
     """
-    return replay_kernel()(x, v, duration, parameters)
+    return replay_kernel()(x, v, t, parameters)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from heli_gym.baselines.paper.boundary_value import RISE, sample_times
-from heli_gym.baselines.paper.normal_form import travel_damping
+from heli_gym.baselines.paper.normal_form import internal_dynamics, travel_damping
 from heli_gym.trajectory import Maneuver, Trajectory
 
 SEGMENTS = (30, 60)  # of the splines: few are faster and smoother, and for the shortest times there must be more
@@ -23,7 +23,7 @@ SMOOTH, SOONEST = 1e-3, 1e-6  # where the barrier ends: of the smoothest plan, w
 COLD, LUKEWARM, WARM = 0.1, 1e-2, 1e-3  # where it starts: from a guess, from a solution of another problem, of the same
 ROUGHNESS = 1e-4  # weight of the smoothness, squared N/s over time, against the logarithm of the duration
 TOLERANCE = 1e-7  # rad/s² and N
-ITERATIONS = {"smoothest": 80, "fastest": 300}
+ITERATIONS = {"smoothest": 200, "fastest": 1000}
 SWING = 0.8  # share of the pitch limit to which the guess swings
 EASY = 2.0  # how much more time than travel alone takes, about, the search for the fastest plan starts from
 STRETCHES = (1.0, 1.6, 0.7, 1.25, 2.5, 4.0)  # of that, from which it starts until one leads to a plan
@@ -43,13 +43,21 @@ class Spline(NamedTuple):
 
 def guess(maneuver: Maneuver, duration: float, segments: int) -> Spline:
     """The elevation as in Section III-B; the pitch one period of a sine, about as the travel needs it."""
-    p, (low, high) = maneuver.parameters, maneuver.limits.pitch
+    low, high = maneuver.limits.pitch
     share = np.clip(np.arange(-1, segments + 2) / segments, 0.0, 1.0)
-    # level flight, linearised: b1/b2 a2 q3 is the travel's acceleration, by (14a) negative
-    swing = -2.0 * math.pi * (maneuver.goal[0] - maneuver.start[0]) / duration**2 / (p.b1 / p.b2 * p.a2)
+    swing = 2.0 * math.pi * (maneuver.goal[0] - maneuver.start[0]) / duration**2 / tilted_acceleration(maneuver)
     elevation = maneuver.start[1] + (maneuver.goal[1] - maneuver.start[1]) * RISE(share)
     pitch = np.clip(swing * np.sin(2.0 * math.pi * share), SWING * low, SWING * high)
     return Spline(at_rest(np.stack((elevation, pitch), axis=1), maneuver), duration, np.zeros(4))
+
+
+def tilted_acceleration(maneuver: Maneuver) -> float:
+    """The travel's acceleration in rad/s² per tangent of the pitch, at the elevation of the end where it is smaller."""
+    tilted = (
+        internal_dynamics((0.0, 0.0, elevation, 0.0, 0.25 * math.pi, 0.0), 0.0, maneuver.parameters)
+        for _, elevation in (maneuver.start, maneuver.goal)
+    )
+    return float(min(tilted, key=abs))
 
 
 def guess_from(maneuver: Maneuver, near: Trajectory, segments: int) -> Spline:
@@ -187,9 +195,8 @@ def plan_near(maneuver: Maneuver, near: Trajectory) -> Trajectory | None:
 
 def easy_duration(maneuver: Maneuver) -> float:
     """A duration in s in which there should be a plan, if there is one in any."""
-    p = maneuver.parameters
-    # level flight at the pitch limit accelerates the travel by b1/b2 a2 tan(q3), see (14a), half of the way
-    acceleration = abs(p.b1 / p.b2 * p.a2) * math.tan(min(np.abs(maneuver.limits.pitch)))
+    # flight at the pitch limit accelerates the travel half of the way
+    acceleration = abs(tilted_acceleration(maneuver)) * math.tan(min(np.abs(maneuver.limits.pitch)))
     return EASY * (1.0 + 2.0 * math.sqrt(abs(maneuver.goal[0] - maneuver.start[0]) / acceleration))
 
 

@@ -6,6 +6,7 @@ import re
 import signal
 from contextlib import contextmanager
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -300,7 +301,7 @@ def test_what_is_in_the_way_would_save_as_much_as_is_said():
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_time_limit_ends_the_search(method, monkeypatch):
-    clock = itertools.count()  # one second for every look at it
+    clock = itertools.count(0, 3)  # three seconds for every look at it
     monkeypatch.setattr(search.time, "perf_counter", lambda: float(next(clock)))
     with pytest.raises(InfeasibleManeuver, match="within the time limit of 2 s") as refusal:
         plan(Maneuver(duration=7.0), method, time_limit=2.0)
@@ -330,6 +331,114 @@ def test_some_of_what_is_refused_no_control_at_all_can_fly(requested, like):
 def test_an_unknown_method_is_named_with_those_there_are():
     with pytest.raises(ValueError, match=r"method = 'flatness': .*paper"):
         plan(Maneuver(), method="flatness")
+
+
+# Any rig, any duration
+
+ROW = Maneuver(
+    (0.0, -0.0458),
+    (5.98, 0.0189),
+    60.0,
+    Limits(1.59, 11.83, -0.4116, 0.4116),
+    HelicopterParameters(0.0231, -0.0106, -1.22, 2.27, -5.66, -0.914, -0.911, 6.32),
+)
+
+
+def random_rig_maneuver(rng) -> Maneuver:
+    """A maneuver of a rig that hovers, its coefficients and limits drawn from wide ranges."""
+    while True:
+        k_plus, k_minus, a1, a2, a3, b1, b2, b3 = (
+            sign * math.exp(rng.uniform(math.log(low), math.log(high)))
+            for sign, low, high in (
+                (1.0, 2e-3, 3e-2),
+                (-1.0, 5e-4, 1e-2),
+                (-1.0, 0.3, 3.0),
+                (1.0, 0.2, 3.0),
+                (-1.0, 0.1, 8.0),
+                (-1.0, 0.3, 1.5),
+                (-1.0, 0.3, 1.5),
+                (1.0, 1.0, 10.0),
+            )
+        )
+        friction = rng.uniform(0.0, 0.2), rng.uniform(0.0, 0.3), rng.uniform(0.0, 0.5)
+        parameters = HelicopterParameters(k_plus, k_minus, a1, a2, a3, b1, b2, b3, *friction)
+        pitch = math.radians(rng.uniform(10.0, 70.0))
+        limits = Limits(rng.uniform(0.0, 3.0), rng.uniform(9.0, 12.0), -pitch, pitch)
+        start, goal = rng.uniform(-0.35, 0.35, 2)
+        try:
+            return Maneuver((0.0, start), (rng.uniform(-12.0, 12.0), goal), 1000.0, limits, parameters)
+        except ValueError:
+            continue
+
+
+def test_a_rig_that_the_spline_could_not_plan_is_planned():
+    assert plan_fastest(ROW).duration < 4.8
+    for duration in (4.8, 8.0, 60.0):
+        assert plan(replace(ROW, duration=duration)).duration == duration
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_fastest_plan_of_any_rig_is_planned_in_every_longer_time(seed):
+    requested = random_rig_maneuver(np.random.default_rng([5, seed]))
+    fastest = plan_fastest(requested)
+    for ratio in (1.0, 1.02, 1.5, 5.0, 20.0):
+        longer = replace(requested, duration=ratio * fastest.duration)
+        trajectory = plan(longer)
+        assert trajectory.duration == longer.duration
+        assert_allclose(trajectory.x[:, -1], [longer.goal[0], 0.0, longer.goal[1], 0.0, 0.0, 0.0], atol=1e-9)
+        assert trajectory.u.min() >= longer.limits.u_min - 1e-6
+        assert trajectory.u.max() <= longer.limits.u_max + 1e-6
+
+
+def test_sixty_turns_are_planned():
+    requested = Maneuver(goal=(120.0 * math.pi, 0.0), duration=200.0)
+    assert np.abs(replay(plan(requested))[:, -1] - [120.0 * math.pi, 0.0, 0.0, 0.0, 0.0, 0.0]).max() < 0.06
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_elevation_may_be_positive_upwards(method):
+    parameters = HelicopterParameters(a2=-0.3946, b2=0.6523)
+    requested = Maneuver(goal=(2.0 * math.pi, 0.1), duration=12.0, parameters=parameters)
+    trajectory = plan(requested, method)
+    assert_allclose(replay(trajectory, parameters)[:, -1], [2.0 * math.pi, 0.0, 0.1, 0.0, 0.0, 0.0], atol=1e-3)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("friction", [{"c1": 0.12}, {"c2": 0.3, "c3": 0.5}], ids=str)
+def test_every_method_knows_friction(method, friction):
+    parameters = HelicopterParameters(**friction)
+    trajectory = plan(Maneuver(duration=14.0, parameters=parameters), method)
+    table = SimpleNamespace(**parameters._asdict())
+    assert_allclose(replay(trajectory, table)[:, -1], [2.0 * math.pi, 0.0, 0.0, 0.0, 0.0, 0.0], atol=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("requested", "said"),
+    [
+        (Maneuver(duration=1e5), "duration = 100000: must be"),
+        (Maneuver(duration=1e-300), "duration = 1e-300: must be"),
+        (Maneuver(duration=1e300), r"duration = 1e\+300: must be"),
+        (Maneuver(goal=(1e9, 0.0)), "goal = .*: must be within"),
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("planner", [plan, plan_fastest, plan_unconstrained])
+def test_a_maneuver_beyond_all_scales_is_refused_by_name(planner, requested, said):
+    with pytest.raises(ValueError, match=said):
+        planner(requested)
+
+
+def test_a_plan_of_hours_has_no_more_samples_than_one_of_minutes():
+    trajectory = plan(Maneuver(duration=1e4), time_limit=60.0)
+    assert trajectory.duration == 1e4
+    assert len(trajectory.t) <= 200_001
+
+
+def test_a_fast_plan_then_hover_is_a_plan_of_a_longer_time():
+    requested = Maneuver(duration=20.0)
+    trajectory = search.followed_by_hover(plan_fastest(requested), requested)
+    assert trajectory.duration == 20.0
+    assert search.fault_of(requested, trajectory) is None
 
 
 # The shortest duration

@@ -15,7 +15,7 @@ def test_the_end_and_the_extremes_are_those_of_scipys_integrator(requested):
     trajectory = plan(requested)
     flown = replay(trajectory)
     end, lowest, highest = compiled.replay(
-        trajectory.x[:, 0], inputs(trajectory.u), trajectory.duration, HelicopterParameters()
+        trajectory.x[:, 0], inputs(trajectory.u), trajectory.t, HelicopterParameters()
     )
     assert_allclose(end, flown[:, -1], atol=2e-5)  # voltages have corners
     assert_allclose((lowest, highest), (flown[4].min(), flown[4].max()), atol=2e-3)  # of its own steps
@@ -24,5 +24,5 @@ def test_the_end_and_the_extremes_are_those_of_scipys_integrator(requested):
 def test_a_flight_of_other_parameters_ends_elsewhere():
     trajectory = plan(Maneuver())
     weaker = HelicopterParameters()._replace(b1=-0.6)
-    end, *_ = compiled.replay(trajectory.x[:, 0], inputs(trajectory.u), trajectory.duration, weaker)
+    end, *_ = compiled.replay(trajectory.x[:, 0], inputs(trajectory.u), trajectory.t, weaker)
     assert np.abs(end - trajectory.x[:, -1]).max() > 0.1

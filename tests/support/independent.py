@@ -23,15 +23,16 @@ def equation_2(u, p=TABLE_I):
 
 
 def equation_3(x, v1, v2, p=TABLE_I, lib=np):
-    """Time derivative of the state (44)."""
+    """Time derivative of the state (44), with viscous friction where p has any."""
+    c1, c2, c3 = (getattr(p, name, 0.0) for name in ("c1", "c2", "c3"))
     _q1, dq1, q2, dq2, q3, dq3 = x
     return [
         dq1,
-        p.b1 * lib.cos(q2) * lib.sin(q3) * v1,
+        p.b1 * lib.cos(q2) * lib.sin(q3) * v1 - c1 * dq1,
         dq2,
-        p.a1 * lib.sin(q2) + p.a2 * lib.cos(q2) + p.b2 * lib.cos(q3) * v1,
+        p.a1 * lib.sin(q2) + p.a2 * lib.cos(q2) + p.b2 * lib.cos(q3) * v1 - c2 * dq2,
         dq3,
-        p.a3 * lib.cos(q2) * lib.sin(q3) + p.b3 * v2,
+        p.a3 * lib.cos(q2) * lib.sin(q3) + p.b3 * v2 - c3 * dq3,
     ]
 
 
