@@ -5,6 +5,7 @@ Each update flies whole maneuvers of `LANES` drawn helicopters and follows the e
 are safetensors and JSON, and nothing is unpickled.
 """
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from threadpoolctl import threadpool_limits
 from heli_gym.baselines.control.residual import Network, RecurrentNetwork, ResidualPolicy
 from heli_gym.baselines.control.tracking import TrackingPolicy
 from heli_gym.rigid_body import RigidBodyParameters
+from heli_gym.simulation import layout, motion
 from heli_gym.simulation.layout import COUNTS, LAG, LOSS, MEASURED, PARAMETERS, RIG, ROTOR, VISCOUS, X
 from heli_gym.train.checkpoint import read_checkpoint, write_state
 from heli_gym.train.flight_gradient import LANES, SUBSTEPS, Batch, Outcome, Rollout, Settings, Task, Weights
@@ -92,17 +94,24 @@ def task_of(policy: ResidualPolicy, envs: Heli3DOFVectorEnv, cost_weight: float,
     base = policy.base
     if not isinstance(base, TrackingPolicy) or policy.law != "saturated":
         raise ValueError(f"base: must be a feedforward with state feedback, not {type(base).__name__}")
-    for plant in envs.simulation.plants:
-        if plant.disturbances or plant.sensors is None or plant.is_noisy or any(plant.friction.coulomb):
-            raise ValueError("plant: must have encoders, and neither Coulomb friction, noise nor disturbances")
+    simulation = envs.simulation
+    shared = layout.shared(simulation.settings.tolist())
+    sensors = simulation.plants[0].sensors
+    usual = simulation.fly is motion.step_plant and shared.substeps == SUBSTEPS and not shared.disturbances
+    for plant in simulation.plants:
+        usual = usual and plant.sensors == sensors and not any(plant.friction.coulomb)
+        usual = usual and plant.rotors.gains == (1.0, 1.0) and math.isinf(plant.rotors.slew)
+    if not usual or sensors is None or shared.is_noisy:
+        raise ValueError(
+            "plant: must have encoders, rotors alike and a delay of whole control periods, and neither Coulomb "
+            "friction, noise, disturbances nor a slew limit"
+        )
     T = policy.x.shape[1] - 1
     policy.reset(np.random.default_rng(0))
     _, features = policy.observe(envs.control_period * np.arange(T), policy.x[:, :T])
     policy.reset(np.random.default_rng(0))
     low, high = envs.voltage_limits
     limits = policy.reference.limits
-    sensors = envs.simulation.plants[0].sensors
-    assert sensors is not None
     settings = Settings(
         envs.control_period, low, high, envs.pitch_limit, *limits.u, *limits.pitch,
         float(np.exp(-envs.control_period / sensors.rate_filter)), policy.scale,
@@ -114,7 +123,7 @@ def task_of(policy: ResidualPolicy, envs: Heli3DOFVectorEnv, cost_weight: float,
         np.ascontiguousarray(base.gains.transpose(2, 0, 1)[:T]),
         np.ascontiguousarray(features[others(len(features))].T.astype(np.float32)),
         np.array(settings),
-        int(envs.simulation.plants[0].rotors.delay),
+        int(shared.delay),
     )
 
 
