@@ -16,6 +16,7 @@ from gymnasium.utils.seeding import np_random
 from numpy.typing import ArrayLike
 
 from heli_gym import task
+from heli_gym.notebook import Picture
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer, RenderState
@@ -342,7 +343,7 @@ class Heli3DOFEnv(gym.Env):
             self.renderer = Renderer()
         scene = render_state(self.simulation, 0)
         if self.render_mode == "rgb_array":
-            return self.renderer.frame(scene)
+            return self.renderer.frame(scene).view(Picture)
         self.renderer.show(scene)
         return None
 

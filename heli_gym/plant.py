@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from heli_gym.notebook import short_repr
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.rigid_body import VARIANTS, RigidBodyParameters, solve_rigid_body
 from heli_gym.thrust_map import EXPONENTS, PowerCurve, TableCurve, ThrustMap
@@ -151,9 +152,11 @@ def with_parts(value: Any, parts: Sequence) -> Any:
     return value
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Rotors:
     """Amplifiers and rotors: how thrust follows from the voltage that a controller commands."""
+
+    __repr__ = short_repr
 
     lag: Number = 0.0  # s, first order, of the rotor speed (and so of the root of the thrust) behind the voltage
     thrust_loss: Number = 0.0  # share that is missing: battery, air density, wear
@@ -171,9 +174,11 @@ class Rotors:
             check_number("gains", gain, 0.0, 10.0)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Friction:
     """In the joints of travel, elevation and pitch, as decelerations."""
+
+    __repr__ = short_repr
 
     viscous: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)  # 1/s, times the rate
     coulomb: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)  # rad/s², against the direction of motion
@@ -197,13 +202,15 @@ class Table:
         check_number("friction", self.friction, 0.0, 10.0)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Sensors:
     """Encoders of the three angles, from which rates are estimated. The counts are whole numbers, and no ranges.
 
     The estimate is the filtered difference quotient r+ = a r + (1 - a) (q+ - q) / dt with a = exp(-dt / rate_filter),
     which is s / (1 + rate_filter s) sampled at the control period dt.
     """
+
+    __repr__ = short_repr
 
     counts: tuple[int, int, int] = (8192, 4096, 4096)  # per revolution
     noise: Number = 0.0  # rad, standard deviation on each angle
@@ -301,12 +308,14 @@ def check_time(value: Number) -> None:
 Disturbance = Push | Gust | MovingMass | RotorFault | ThrustDrift
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Plant:
     """A helicopter, its actuators and its sensors. By default equation (3), exactly, whose true state is measured.
 
     Raises ValueError that names the field, if a value is of the wrong type, not finite, or beyond any such rig.
     """
+
+    __repr__ = short_repr
 
     parameters: HelicopterParameters = field(default_factory=HelicopterParameters)
     rig: Any = None  # RigidBodyParameters, or a OneOf of such: the full rigid body, in place of equation (3)

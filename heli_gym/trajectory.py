@@ -10,6 +10,7 @@ from typing import Protocol
 import numpy as np
 
 from heli_gym.model import hover_input
+from heli_gym.notebook import plot_trajectory
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.rig import PAPER, UNNAMED, Rig, check_same_rig, find_rig, rig_of
 from heli_gym.storage import atomic_write
@@ -90,7 +91,7 @@ class Maneuver:
         )
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Trajectory:
     """States and voltages over time: a plan or a flight.
 
@@ -130,6 +131,16 @@ class Trajectory:
                 raise ValueError(f"{name} is not finite")
         if self.t[0] != 0.0 or not (np.diff(self.t) > 0.0).all():
             raise ValueError("t must increase from 0")
+
+    def __repr__(self) -> str:
+        pitch = np.degrees(np.abs(self.x[4]).max())
+        return (
+            f"Trajectory({self.duration:g} s, {len(self.t)} samples, rig {self.rig.name!r}, "
+            f"pitch up to {pitch:.1f} deg, {self.u.min():.2f} to {self.u.max():.2f} V)"
+        )
+
+    def _repr_png_(self) -> bytes | None:
+        return plot_trajectory(self)
 
     @property
     def duration(self) -> float:
