@@ -202,18 +202,36 @@ class Observer:
 def disturbance_accommodated_reference(
     x: Any, v: Any, disturbance: Any, pitch_limits: tuple[float, float], parameters: HelicopterParameters
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The reference x (6, ...), v (2, ...) with the pitch and the thrusts that also outweigh a disturbance (3, ...).
+    """Reference x (6, ...), v (2, ...) with the pitch and the thrusts that also outweigh a disturbance (3, ...).
+
+    Travel, elevation and all rates are those of the reference; see `accommodate`.
+    """
+    q1, dq1, q2, dq2, _, dq3 = x
+    tilt, v1, v2 = accommodate(x, v, disturbance, pitch_limits, least_lift(parameters), parameters)
+    target = np.stack(np.broadcast_arrays(q1, dq1, q2, dq2, tilt, dq3))
+    return target, np.stack(np.broadcast_arrays(v1, v2))
+
+
+def least_lift(parameters: HelicopterParameters) -> float:
+    """Lift in N from which on a tilt may outweigh disturbances."""
+    return LEAST_LIFT * float(hover_input(0.0, parameters)[0])
+
+
+def accommodate(
+    x: Any, v: Any, disturbance: Any, pitch_limits: tuple[float, float], lift: float, parameters: HelicopterParameters
+) -> tuple:
+    """Pitch in rad and inputs v1, v2 in N that accelerate as x (6, ...), v (2, ...) do in (3), despite a disturbance.
 
     In (3a) and (3b) the thrust is a vector, v1 (sin q3, cos q3). To it is added what balances the disturbances of
     travel and elevation, which only a tilt can do for travel; the thrust difference holds the tilt, by (3c). The pitch
-    stays within its limits, and as upright as if there were some lift where there is none. Travel, elevation and all
-    rates are those of the reference.
+    stays within its limits, and as upright as if there were some lift in N where there is none.
     """
     q1, dq1, q2, dq2, _, dq3 = x
-    ddq1, ddq2, ddq3 = (a - d for a, d in zip(dynamics(x, v, parameters)[1::2], disturbance))
-    across, upright = thrust_vector(x, ddq1, ddq2, parameters)
-    least_lift = LEAST_LIFT * float(hover_input(0.0, parameters)[0])
-    tilt = np.clip(np.arctan2(across, np.maximum(upright, least_lift)), *pitch_limits)
-    target = q1, dq1, q2, dq2, tilt, dq3
-    _, held = inverse_dynamics(target, ddq2, ddq3, parameters)
-    return np.stack(np.broadcast_arrays(*target)), np.stack(np.broadcast_arrays(np.hypot(across, upright), held))
+    on_travel, on_elevation, on_pitch = disturbance
+    low, high = pitch_limits
+    _, ddq1, _, ddq2, _, ddq3 = dynamics(x, v, parameters, np.sin, np.cos)
+    ddq2 = ddq2 - on_elevation
+    across, upright = thrust_vector(x, ddq1 - on_travel, ddq2, parameters, np.sin, np.cos)
+    tilt = np.minimum(np.maximum(np.arctan2(across, np.maximum(upright, lift)), low), high)
+    _, held = inverse_dynamics((q1, dq1, q2, dq2, tilt, dq3), ddq2, ddq3 - on_pitch, parameters, np.sin, np.cos)
+    return tilt, np.hypot(across, upright), held

@@ -66,13 +66,17 @@ class Regulator:
     pitch_limits: tuple[float, float]
     rig: Rig
 
-    def __call__(self, k: Any, x: Any, rotors: Any, disturbance: Any, integral: Any) -> np.ndarray:
-        """Voltages (2, ...) for the k-th control period, before the amplifier limits them."""
+    def __call__(self, k: Any, x: Any, rotors: Any, disturbance: Any, integral: Any, gain: Any = 1.0) -> np.ndarray:
+        """Voltages (2, ...) for the k-th control period, before the amplifier limits them.
+
+        The gain is that of the thrust of both rotors on the rig's.
+        """
         rig = self.rig
         v, v_ref, v_command = (
             np.stack(virtual_input(rig.thrust(voltages)))
             for voltages in (rotors, expand_batch_dims(self.u[:, k], x), expand_batch_dims(self.command[:, k], x))
         )
+        v = gain * v
         x_ref, v_hold = expand_batch_dims(self.x[:, k], x), v_ref
         if self.accommodates:
             x_ref, v_hold = disturbance_accommodated_reference(
@@ -84,7 +88,7 @@ class Regulator:
         if self.integrating:
             deviations.append(integral)
         v = v_command + (v_hold - v_ref) - apply_gains(self.gains[:, :, k], np.concatenate(deviations))
-        return rig.voltage(fan_thrusts(v))
+        return rig.voltage(fan_thrusts(v / gain))
 
 
 @dataclass(eq=False)
@@ -169,37 +173,44 @@ def model_policy(
 ) -> ModelPolicy:
     """The feedforward and a regulator with these weights for a helicopter with this actuator.
 
-    Against the lag, the feedforward leads: a rotor turns at u(t) if its voltage is u + lag du/dt. `IntegralWeights`
-    give integral action, `ObserverWeights` a Kalman filter.
+    `IntegralWeights` give integral action, `ObserverWeights` a Kalman filter.
     """
     rig = assumed_rig(reference, rig)
     actuator = actuator or nominal_actuator(rig, control_period)
+    regulator = make_regulator(reference, control_period, rig, weights, actuator.lag)
+    observer = None
+    if isinstance(weights, ObserverWeights):
+        x, v = regulator.x, np.stack(virtual_input(rig.thrust(regulator.u)))
+        along = rig.parameters, weights.noise
+        gains = kalman_gains(x, v, control_period, *along, encoder_noise(rig))
+        settling = partial(settling_gains, x, v, control_period, *along, angle_noise=encoder_noise(rig))
+        observer = Observer(gains, settling, control_period)
+    return ModelPolicy(regulator, observer, actuator, control_period)
+
+
+def make_regulator(reference: Trajectory, control_period: float, rig: Rig, weights: Weights, lag: float) -> Regulator:
+    """Feedforward and gains on the control grid for rotors with this lag in s.
+
+    Against the lag, the feedforward leads: a rotor turns at u(t) if its voltage is u + lag du/dt. With
+    `ObserverWeights`, the reference makes up for disturbances.
+    """
     x, middle = control_grid(reference, control_period)
     times = control_period * np.arange(x.shape[1] + 1)
     _, u = reference(times)
-    command = middle + actuator.lag * np.diff(u, axis=1) / control_period
+    command = middle + lag * np.diff(u, axis=1) / control_period
     u = u[:, :-1]
-    parameters = rig.parameters
     v = np.stack(virtual_input(rig.thrust(u)))
-    observer = None
-    if isinstance(weights, ObserverWeights):
-        gains = kalman_gains(x, v, control_period, parameters, weights.noise, encoder_noise(rig))
-        settling = partial(
-            settling_gains, x, v, control_period, parameters, weights.noise, angle_noise=encoder_noise(rig)
-        )
-        observer = Observer(gains, settling, control_period)
-    regulator = Regulator(
+    return Regulator(
         x=x,
         u=u,
         command=command,
-        gains=regulator_gains(x, v, control_period, parameters, weights, actuator.lag),
-        lagging=actuator.lag > 0.0,
+        gains=regulator_gains(x, v, control_period, rig.parameters, weights, lag),
+        lagging=lag > 0.0,
         integrating=isinstance(weights, IntegralWeights),
-        accommodates=observer is not None,
+        accommodates=isinstance(weights, ObserverWeights),
         pitch_limits=reference.limits.pitch,
         rig=rig,
     )
-    return ModelPolicy(regulator, observer, actuator, control_period)
 
 
 def lqi(reference: Trajectory, control_period: float, rig: Rig, weights: IntegralWeights = LQI) -> ModelPolicy:

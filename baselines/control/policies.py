@@ -13,6 +13,7 @@ from typing import Any
 from heli_gym.baselines.control.constant import middle_voltage, zero
 from heli_gym.baselines.control.discrete_lqr import Weights
 from heli_gym.baselines.control.model_based import kalman_lqr, lag_lqi, lag_lqr, lqi
+from heli_gym.baselines.control.predictive import adaptive_lqr, adaptive_mpc, nmpc
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.residual import LEARNED, learned_policy
 from heli_gym.baselines.control.tracking import feedforward_tvlqr, hover_lqr, open_loop
@@ -34,6 +35,9 @@ POLICIES: dict[str, Callable[..., Policy]] = {
     "lag-lqr": lag_lqr,
     "lag-lqi": lag_lqi,
     "kalman-lqr": kalman_lqr,
+    "adaptive-lqr": adaptive_lqr,
+    "adaptive-mpc": adaptive_mpc,
+    "nmpc": nmpc,
     "residual": partial(stored, LEARNED / "lab"),
     "residual-rigid": partial(stored, LEARNED / "rigid"),
     "hover-lqr": hover_lqr,

@@ -1,0 +1,334 @@
+"""Extended Kalman filter that estimates what a controller of (3) does not know, from the three encoder angles alone.
+
+State: (44), the rotor speeds, and as slowly varying parameters the rotor lag, a gain of the thrust, viscous friction of
+the three axes and three accelerations that (3) does not explain (Gelb, Applied Optimal Estimation, Section 6.1; Ljung,
+"Asymptotic behavior of the extended Kalman filter as a parameter estimator for linear systems", IEEE TAC 24(1), 1979).
+The priors are the documented ranges of the plant `lab`; no draw is ever used. The transition is one Runge-Kutta step
+of `model.dynamics`, differentiated by differences, so that the filter follows the model.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy import cos, sin
+
+from heli_gym.baselines.control.estimation import START_DEVIATIONS, encoder_noise, rotor_response
+from heli_gym.compilation import Compiler
+from heli_gym.model import dynamics, rk4_step, virtual_input
+from heli_gym.parameters import HelicopterParameters
+from heli_gym.plant import LAB_FRICTION, LAB_ROTORS, Uniform
+from heli_gym.rig import Rig
+
+# Places in the filter's state (N_STATES,): (44); rotor speeds as voltages in V; lag in s; gain of the thrust;
+# friction in 1/s, on top of the parameters' own; coefficients of two centrifugal terms; accelerations in rad/s².
+ROTORS, LAG, GAIN, FRICTION, CENTRIFUGAL, DISTURBANCE, N_STATES = 6, 8, 9, 10, 13, 15, 18
+LEVER = 0.27  # distance of a rotor from the pitch axis over that of the body from the travel axis, of such rigs
+N_FLIGHT = 8  # states before the parameters
+LOWEST = (0.02, 0.5, 0.0, 0.0, 0.0)  # lag, gain and friction: estimates are clipped to the physically possible
+HIGHEST = (0.5, 1.5, 1.5, 1.5, 1.5)
+ROTOR_DEVIATION = 0.3  # V, of the rotor speeds before a flight
+N_SAMPLES = 129  # of the thrust map
+STEP = 1e-6  # of the differences, in units of the states
+
+
+class Fans(NamedTuple):
+    """Thrust map of a rig, (front, back), sampled for the compiler: in between, cubic, which is exact for (2)."""
+
+    samples: Any  # (2, 2, n) thrusts in N and their slopes in N/V
+    low: float  # V, of the first sample
+    step: float  # V, from sample to sample
+    inverse: Any  # (2, n) voltages in V, linear in between
+    least: Any  # (2,) N, of the first of these
+    rise: Any  # (2,) N, from one to the next
+
+
+class Model(NamedTuple):
+    """Equation (3) with everything that the filter estimates."""
+
+    parameters: Any  # HelicopterParameters, with the estimated friction in it
+    fans: Any  # Fans
+    gain: Any  # of the thrust
+    lag: Any  # s
+    centrifugal: Any  # 1, coefficients of `unmodelled`
+    disturbance: Any  # three accelerations in rad/s²
+
+
+class FilterNoise(NamedTuple):
+    """Intensities of what drives the filter's states, and which of its parameters are estimated."""
+
+    acceleration: float = 0.01  # rad/s per sqrt(s), white, on every axis
+    travel_disturbance: float = 0.008  # rad/s² per sqrt(s), random walks
+    elevation_disturbance: float = 0.008
+    pitch_disturbance: float = 0.03
+    parameters: float = 0.02  # random walk of the other parameters, in prior standard deviations per sqrt(s)
+    centrifugal: tuple[float, float] = (0.1, 0.5)  # prior standard deviations of the coefficients, about zero
+    start_disturbance: float = 0.03  # rad/s², standard deviation before a flight
+    adaptive: bool = True  # whether parameters are estimated, or stay at the means of their priors
+
+
+def sample_thrust_map(rig: Rig, voltage_limits: tuple[float, float]) -> Fans:
+    """The thrust map of a rig between voltages (min, max) in V."""
+    u, step = np.linspace(*voltage_limits, N_SAMPLES, retstep=True)
+    f = rig.thrust(np.stack((u, u)))
+    rises = np.diff(f, axis=1)
+    # Slopes are kept finite where a curve has a corner, and the cubics monotone.
+    steepest = 3.0 * np.minimum(np.pad(rises, ((0, 0), (1, 0)), "edge"), np.pad(rises, ((0, 0), (0, 1)), "edge")) / step
+    slope = np.minimum(rig.thrust_slope(np.stack((u, u))), steepest)
+    thrusts = np.linspace(f[:, 0], f[:, -1], N_SAMPLES, axis=1)
+    inverse = np.stack([np.interp(wanted, given, u) for wanted, given in zip(thrusts, f)])
+    rise = (f[:, -1] - f[:, 0]) / (N_SAMPLES - 1)
+    return Fans(np.stack((f, slope), axis=1), float(u[0]), float(step), inverse, f[:, 0].copy(), rise)
+
+
+def fan_thrust(fans: Any, fan: int, u: float) -> float:
+    """Thrust in N of a fan, 0 or 1, at the voltage u in V."""
+    at = (u - fans.low) / fans.step
+    k = min(max(int(at), 0), N_SAMPLES - 2)
+    r = at - k
+    f0, f1 = fans.samples[fan, 0, k], fans.samples[fan, 0, k + 1]
+    d0, d1 = fans.step * fans.samples[fan, 1, k], fans.step * fans.samples[fan, 1, k + 1]
+    rise = f1 - f0
+    return f0 + r * (d0 + r * (3.0 * rise - 2.0 * d0 - d1 + r * (d0 + d1 - 2.0 * rise)))
+
+
+def fan_voltage(fans: Any, fan: int, f: float) -> float:
+    """Voltage in V, within the amplifier's limits, at which a fan, 0 or 1, thrusts f in N."""
+    at = min(max((f - fans.least[fan]) / fans.rise[fan], 0.0), N_SAMPLES - 1.0)
+    k = min(int(at), N_SAMPLES - 2)
+    return fans.inverse[fan, k] + (at - k) * (fans.inverse[fan, k + 1] - fans.inverse[fan, k])
+
+
+def with_estimates(s: Any, p: Any, fans: Any) -> Model:
+    """Model at the filter's state s (N_STATES,), given nominal parameters and fans."""
+    adapted = HelicopterParameters(
+        p.k_plus,
+        p.k_minus,
+        p.a1,
+        p.a2,
+        p.a3,
+        p.b1,
+        p.b2,
+        p.b3,
+        p.c1 + s[FRICTION],
+        p.c2 + s[FRICTION + 1],
+        p.c3 + s[FRICTION + 2],
+    )
+    centrifugal = s[CENTRIFUGAL], s[CENTRIFUGAL + 1]
+    return Model(adapted, fans, s[GAIN], s[LAG], centrifugal, (s[DISTURBANCE], s[DISTURBANCE + 1], s[DISTURBANCE + 2]))
+
+
+def unexplained(x: Any, v: Any, model: Any, p: Any) -> tuple:
+    """Accelerations (3) in rad/s² of the model less those of (3) with nominal parameters p, at x and thrusts v."""
+    q = model.parameters
+    on_travel, on_elevation, on_pitch = unmodelled(x, dynamics(x, v, p, sin, cos)[1], model)
+    return (
+        on_travel - (q.c1 - p.c1) * x[1],
+        on_elevation - (q.c2 - p.c2) * x[3],
+        on_pitch - (q.c3 - p.c3) * x[5],
+    )
+
+
+def unmodelled(x: Any, ddq1: Any, model: Any) -> tuple:
+    """Accelerations (3) in rad/s² that (3) lacks, at a travel acceleration ddq1: disturbances and Coriolis effects.
+
+    As the arm turns, a body that hangs off its line is lifted or lowered (the first coefficient), and a long body is
+    turned level (the second: minus its inertia about the pitch axis that lies along its length, in units of all of it).
+    The latter's reactions on travel and elevation follow, for a level arm, from the ratios of the axes' inertias; see
+    `rigid_body.mass_matrix` and `coriolis`.
+    """
+    on_travel, on_elevation, on_pitch = model.disturbance
+    lift, turn = model.centrifugal
+    p = model.parameters
+    arm = LEVER / p.b3  # (inertia of pitch) / (inertia of travel or elevation) = arm |b1| or arm |b2|
+    rate, pitch_rate, s, c = x[1], x[5], sin(x[4]), cos(x[4])
+    on_travel = on_travel + 2.0 * turn * arm * p.b1 * s * c * rate * pitch_rate
+    on_elevation = on_elevation + lift * rate * rate - turn * arm * p.b2 * s * (2.0 * s * rate * pitch_rate - c * ddq1)
+    return on_travel, on_elevation, on_pitch + turn * s * c * rate * rate
+
+
+def model_derivative(x: Any, v: Any, model: Any) -> tuple:
+    """Equation (3) with the accelerations of the model."""
+    dq1, ddq1, dq2, ddq2, dq3, ddq3 = dynamics(x, v, model.parameters, sin, cos)
+    on_travel, on_elevation, on_pitch = unmodelled(x, ddq1, model)
+    return dq1, ddq1 + on_travel, dq2, ddq2 + on_elevation, dq3, ddq3 + on_pitch
+
+
+def advance(x: tuple, w: tuple, u: tuple, dt: float, model: Any) -> tuple:
+    """State (6) and rotor speeds (2) after dt seconds at the voltages u (2): `estimation.predict`, for the compiler."""
+    fans, gain, lag = model.fans, model.gain, model.lag
+    middle = rotor_response(w[0], u[0], lag, 0.5 * dt), rotor_response(w[1], u[1], lag, 0.5 * dt)
+    end = rotor_response(w[0], u[0], lag, dt), rotor_response(w[1], u[1], lag, dt)
+    inputs = (
+        virtual_input((gain * fan_thrust(fans, 0, w[0]), gain * fan_thrust(fans, 1, w[1]))),
+        virtual_input((gain * fan_thrust(fans, 0, middle[0]), gain * fan_thrust(fans, 1, middle[1]))),
+        virtual_input((gain * fan_thrust(fans, 0, end[0]), gain * fan_thrust(fans, 1, end[1]))),
+    )
+    return (*rk4_step(model_derivative, x, inputs, dt, model), *end)
+
+
+def advance_filter_state(s: Any, u: tuple, dt: float, p: Any, fans: Any) -> tuple:
+    """The first N_FLIGHT entries of the filter's state s (N_STATES,) after dt seconds."""
+    return advance((s[0], s[1], s[2], s[3], s[4], s[5]), (s[6], s[7]), u, dt, with_estimates(s, p, fans))
+
+
+def predict_one(s: Any, P: Any, F: Any, FP: Any, u: tuple, dt: float, p: Any, fans: Any, Q: Any) -> None:
+    """Propagate estimate s (N_STATES,) and covariance P (N_STATES, N_STATES) in place; F and FP are scratch."""
+    after = advance_filter_state(s, u, dt, p, fans)
+    for j in range(N_STATES):
+        kept = s[j]
+        s[j] = kept + STEP
+        moved = advance_filter_state(s, u, dt, p, fans)
+        s[j] = kept
+        for i in range(N_FLIGHT):
+            F[i, j] = (moved[i] - after[i]) / STEP
+    for i in range(N_FLIGHT):
+        s[i] = after[i]
+        for j in range(N_STATES):
+            total = 0.0
+            for m in range(N_STATES):
+                total += F[i, m] * P[m, j]
+            FP[i, j] = total
+    for i in range(N_FLIGHT):
+        for j in range(i + 1):
+            total = Q[i, j]
+            for m in range(N_STATES):
+                total += FP[i, m] * F[j, m]
+            P[i, j] = total
+            P[j, i] = total
+        for j in range(N_FLIGHT, N_STATES):
+            P[i, j] = FP[i, j]
+            P[j, i] = FP[i, j]
+    for i in range(N_FLIGHT, N_STATES):
+        P[i, i] += Q[i, i]
+
+
+def update_one(s: Any, P: Any, column: Any, angles: tuple, variance: float) -> None:
+    """Condition s and P in place on the three measured angles, one after the other."""
+    for axis in range(3):
+        row = 2 * axis
+        innovation = angles[axis] - s[row]
+        for i in range(N_STATES):
+            column[i] = P[i, row]
+        S = column[row] + variance
+        for i in range(N_STATES):
+            s[i] += column[i] / S * innovation
+            for j in range(N_STATES):
+                P[i, j] -= column[i] * column[j] / S
+    for i in range(5):
+        s[LAG + i] = min(max(s[LAG + i], LOWEST[i]), HIGHEST[i])
+
+
+def filter_step(
+    s: Any,
+    P: Any,
+    angles: Any,
+    u: Any,
+    dt: float,
+    p: Any,
+    fans: Any,
+    Q: Any,
+    variance: float,
+    updates: bool,
+    predicts: bool,
+) -> None:
+    """Update with angles (3, N), then predict over a period at the voltages u (2, N): s (N_STATES, N), P in place."""
+    one, covariance = np.empty(N_STATES), np.empty((N_STATES, N_STATES))
+    F, FP, column = np.zeros((N_FLIGHT, N_STATES)), np.empty((N_FLIGHT, N_STATES)), np.empty(N_STATES)
+    for n in range(s.shape[1]):
+        for i in range(N_STATES):
+            one[i] = s[i, n]
+            for j in range(N_STATES):
+                covariance[i, j] = P[i, j, n]
+        if updates:
+            update_one(one, covariance, column, (angles[0, n], angles[1, n], angles[2, n]), variance)
+        if predicts:
+            predict_one(one, covariance, F, FP, (u[0, n], u[1, n]), dt, p, fans, Q)
+        for i in range(N_STATES):
+            s[i, n] = one[i]
+            for j in range(N_STATES):
+                P[i, j, n] = covariance[i, j]
+
+
+@cache
+def compiled_filter_step() -> Any:
+    """`filter_step`, compiled at its first use."""
+    return Compiler(loops=(predict_one, update_one, advance_filter_state)).entry(filter_step)
+
+
+class Estimate(NamedTuple):
+    """Mean and covariance of the filter's state."""
+
+    s: np.ndarray  # (N_STATES, N)
+    P: np.ndarray  # (N_STATES, N_STATES, N)
+
+
+@dataclass(frozen=True, eq=False)
+class AdaptiveFilter:
+    """The filter with its tuning. All methods return new estimates."""
+
+    rig: Rig
+    control_period: float
+    noise: FilterNoise
+    voltage_limits: tuple[float, float] | None = None  # V, the rig's by default
+
+    @cached_property
+    def fans(self) -> Fans:
+        """The sampled thrust map."""
+        return sample_thrust_map(self.rig, self.voltage_limits or self.rig.voltage_limits)
+
+    def init(self, x: np.ndarray, u: np.ndarray) -> Estimate:
+        """Prior at states x (6, N), rotors at the voltages u (2, N)."""
+        mean, deviation = prior_moments(self.noise)
+        on_angles, on_rates, _ = START_DEVIATIONS
+        deviations = (
+            [on_angles, on_rates] * 3 + [ROTOR_DEVIATION] * 2 + [*deviation] + [self.noise.start_disturbance] * 3
+        )
+        count = x.shape[1]
+        s = np.concatenate((x, u, np.repeat(mean[:, None], count, axis=1), np.zeros((3, count))))
+        return Estimate(s, np.repeat(np.diag(np.square(deviations))[:, :, None], count, axis=2))
+
+    def step(self, estimate: Estimate, angles: np.ndarray | None, u: np.ndarray | None) -> Estimate:
+        """Condition on the angles (3, N) in rad, if given, then predict over a control period at u (2, N) in V."""
+        s, P = estimate.s.copy(), estimate.P.copy()
+        nothing = np.empty((3, 0))
+        compiled_filter_step()(
+            s,
+            P,
+            nothing if angles is None else np.ascontiguousarray(angles),
+            nothing if u is None else np.ascontiguousarray(u),
+            self.control_period,
+            self.rig.parameters,
+            self.fans,
+            process_noise(self.noise, self.control_period),
+            encoder_noise(self.rig) ** 2,
+            angles is not None,
+            u is not None,
+        )
+        return Estimate(s, P)
+
+
+def prior_moments(noise: FilterNoise) -> tuple[np.ndarray, np.ndarray]:
+    """Means and standard deviations (7,) of the parameters, most of them of documented uniform ranges."""
+    loss: Uniform = LAB_ROTORS.thrust_loss
+    ranges = [LAB_ROTORS.lag, Uniform(1.0 - loss.high, 1.0 - loss.low), *LAB_FRICTION.viscous]
+    mean = np.array([*(0.5 * (one.low + one.high) for one in ranges), 0.0, 0.0])
+    deviation = np.array([*((one.high - one.low) / math.sqrt(12.0) for one in ranges), *noise.centrifugal])
+    return mean, deviation if noise.adaptive else np.zeros(len(mean))
+
+
+@cache
+def process_noise(noise: FilterNoise, dt: float) -> np.ndarray:
+    """Covariance (N_STATES, N_STATES) of what drives the filter in dt seconds."""
+    Q = np.zeros((N_STATES, N_STATES))
+    for axis in range(3):
+        angle, rate = 2 * axis, 2 * axis + 1
+        intensity = noise.acceleration**2
+        Q[angle, angle], Q[rate, rate] = intensity * dt**3 / 3.0, intensity * dt
+        Q[angle, rate] = Q[rate, angle] = intensity * dt**2 / 2.0
+        Q[DISTURBANCE + axis, DISTURBANCE + axis] = noise[1 + axis] ** 2 * dt
+    places = range(LAG, DISTURBANCE)
+    Q[places, places] = (noise.parameters * prior_moments(noise)[1]) ** 2 * dt
+    return Q
