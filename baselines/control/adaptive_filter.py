@@ -27,8 +27,10 @@ from heli_gym.rig import Rig
 ROTORS, LAG, GAIN, FRICTION, CENTRIFUGAL, DISTURBANCE, N_STATES = 6, 8, 9, 10, 13, 15, 18
 LEVER = 0.27  # distance of a rotor from the pitch axis over that of the body from the travel axis, of such rigs
 N_FLIGHT = 8  # states before the parameters
-LOWEST = (0.02, 0.5, 0.0, 0.0, 0.0)  # lag, gain and friction: estimates are clipped to the physically possible
-HIGHEST = (0.5, 1.5, 1.5, 1.5, 1.5)
+# Estimates of the parameters, from LAG on, are clipped to what is physically possible.
+LOWEST = (0.02, 0.5, 0.0, 0.0, 0.0, -1.5, -1.5, -3.0, -3.0, -3.0)
+HIGHEST = (0.5, 1.5, 1.5, 1.5, 1.5, 1.5, 1.5, 3.0, 3.0, 3.0)
+SURPRISE = 6.0  # standard deviations of an innovation that no model explains: a knock, or a slip of the encoder
 ROTOR_DEVIATION = 0.3  # V, of the rotor speeds before a flight
 N_SAMPLES = 129  # of the thrust map
 STEP = 1e-6  # of the differences, in units of the states
@@ -205,11 +207,17 @@ def predict_one(s: Any, P: Any, F: Any, FP: Any, u: tuple, dt: float, p: Any, fa
         P[i, i] += Q[i, i]
 
 
-def update_one(s: Any, P: Any, column: Any, angles: tuple, variance: float) -> None:
-    """Condition s and P in place on the three measured angles, one after the other."""
+def update_one(s: Any, P: Any, column: Any, angles: tuple, variance: float, dt: float, fans: Any) -> None:
+    """Condition s and P in place on the three measured angles, one after the other.
+
+    A surprise makes angle and rate of its axis uncertain, so that these follow the measurement and parameters do not.
+    """
     for axis in range(3):
         row = 2 * axis
         innovation = angles[axis] - s[row]
+        if innovation * innovation > SURPRISE * SURPRISE * (P[row, row] + variance):
+            P[row, row] += innovation * innovation
+            P[row + 1, row + 1] += (innovation / dt) ** 2
         for i in range(N_STATES):
             column[i] = P[i, row]
         S = column[row] + variance
@@ -217,7 +225,9 @@ def update_one(s: Any, P: Any, column: Any, angles: tuple, variance: float) -> N
             s[i] += column[i] / S * innovation
             for j in range(N_STATES):
                 P[i, j] -= column[i] * column[j] / S
-    for i in range(5):
+    for i in range(2):
+        s[ROTORS + i] = min(max(s[ROTORS + i], fans.low), fans.low + fans.step * (N_SAMPLES - 1))
+    for i in range(N_STATES - LAG):
         s[LAG + i] = min(max(s[LAG + i], LOWEST[i]), HIGHEST[i])
 
 
@@ -243,7 +253,7 @@ def filter_step(
             for j in range(N_STATES):
                 covariance[i, j] = P[i, j, n]
         if updates:
-            update_one(one, covariance, column, (angles[0, n], angles[1, n], angles[2, n]), variance)
+            update_one(one, covariance, column, (angles[0, n], angles[1, n], angles[2, n]), variance, dt, fans)
         if predicts:
             predict_one(one, covariance, F, FP, (u[0, n], u[1, n]), dt, p, fans, Q)
         for i in range(N_STATES):

@@ -44,7 +44,10 @@ def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str
         if hasattr(policy, "act"):
             action = policy.act(observation[None])[0]
         else:
-            action = to_action(policy(info["time"], info["measurement"]), core.voltage_limits, core.hover_voltage)
+            u = np.asarray(policy(info["time"], info["measurement"]))
+            if u.shape != (2,):
+                raise ValueError(f"action = {u!r}: must be two finite voltages, from {type(policy).__name__}")
+            action = to_action(u, core.voltage_limits, core.hover_voltage)
         observation, _, terminated, truncated, info = env.step(action)
         states.append(info["state"])
         voltages.append(info["voltage"])
