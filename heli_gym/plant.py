@@ -11,14 +11,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
 from numbers import Integral
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from heli_gym.notebook import short_repr
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.rigid_body import VARIANTS, RigidBodyParameters, solve_rigid_body
-from heli_gym.thrust_map import EXPONENTS, PowerCurve, TableCurve, ThrustMap
+from heli_gym.thrust_map import EXPONENTS, PowerCurve, TableCurve, ThrustCurve, ThrustMap
 
 AXES = ("travel", "elevation", "pitch")
 ROTORS = ("front", "back")
@@ -323,7 +323,7 @@ class Plant:
     friction: Friction = field(default_factory=Friction)
     sensors: Sensors | None = None  # without any, the state itself is measured
     disturbances: tuple[Disturbance, ...] = ()
-    thrust_map: ThrustMap | None = None  # in place of (2)
+    thrust_map: ThrustMap | ThrustCurve | None = None  # in place of (2); one curve is that of both rotors
     hover_voltage: Number = None  # V, at which both rotors hold (3) level: scales a map of power curves
     travel_lift: Number = 0.0  # 1/rad, acceleration of elevation (positive down) per square of the travel rate
     table: Table | None = None  # without any, elevation has no stop
@@ -352,10 +352,12 @@ class Plant:
         self._check_thrust_map()
 
     def _check_thrust_map(self) -> None:
-        check_type("thrust_map", self.thrust_map, ThrustMap | None, "ThrustMap or None")
+        kinds = ThrustMap | PowerCurve | TableCurve | None
+        check_type("thrust_map", self.thrust_map, kinds, "a ThrustMap, a PowerCurve, a TableCurve or None")
         for thrust_map in alternatives(self.thrust_map):
-            for rotor in ROTORS if thrust_map else ():
-                curve, name = getattr(thrust_map, rotor), f"thrust_map.{rotor}"
+            curves = rotor_curves(thrust_map)
+            for rotor, curve in zip(ROTORS, curves) if thrust_map is not None else ():
+                name = f"thrust_map.{rotor}"
                 check_type(name, curve, PowerCurve | TableCurve, "a PowerCurve or a TableCurve")
                 if isinstance(curve, TableCurve):
                     curve.check(name)
@@ -364,8 +366,7 @@ class Plant:
                 check_magnitude(f"{name}.k_minus", curve.k_minus, LARGEST)
                 check_number(f"{name}.exponent", curve.exponent, *EXPONENTS)
                 check_number(f"{name}.dead_zone", curve.dead_zone, 0.0, 1000.0)
-            is_table = thrust_map and isinstance(thrust_map.front, TableCurve) | isinstance(thrust_map.back, TableCurve)
-            if self.hover_voltage is not None and is_table:
+            if self.hover_voltage is not None and any(isinstance(curve, TableCurve) for curve in curves):
                 raise ValueError(f"hover_voltage = {self.hover_voltage}: must be None where the thrust map is a table")
         if self.hover_voltage is not None:
             check_number("hover_voltage", self.hover_voltage, 0.1, 1000.0)
@@ -431,6 +432,11 @@ class Plant:
         """Whether it has an effect beyond rotors, friction and disturbances, which takes the most general loops."""
         own = {name: getattr(self, name) for name in ("parameters", "rig", "rotors", "friction", "sensors")}
         return self != Plant(**own, disturbances=self.disturbances)
+
+
+def rotor_curves(thrust_map: ThrustMap | ThrustCurve | None) -> tuple:
+    """Thrust curves of the front and the back rotor; None where (2) is the curve."""
+    return (thrust_map.front, thrust_map.back) if isinstance(thrust_map, ThrustMap) else (thrust_map, thrust_map)
 
 
 IMMEDIATE = {"thrust_loss": 0.0, "slew": math.inf, "delay": 0.0, "gains": (1.0, 1.0)}  # effects that keep (3) as it is
@@ -511,6 +517,52 @@ LAB_ROTORS = Rotors(lag=Uniform(0.05, 0.2), thrust_loss=Uniform(0.0, 0.15), dela
 LAB_FRICTION = Friction(viscous=(Uniform(0.017, 0.2), Uniform(0.04, 0.30), Uniform(0.04, 0.46)))
 DRAG_RATIO = Uniform(0.015, 0.03)  # m
 
+
+class FleetRanges(NamedTuple):
+    """Ranges of the plant `fleet`: rigs as 15 measured flights show them. `docs/plants.md` has the source of each."""
+
+    a1: Uniform = Uniform(-1.72, -0.66)  # rad/s²
+    a2: Uniform = Uniform(0.4, 1.2)  # rad/s²
+    a3: Uniform = Uniform(-0.95, -0.25)  # rad/s²
+    b1: Uniform = Uniform(-0.65, -0.49)  # rad/s² per N, 0.75 to 1.0 of b2, which is nominal: a unit of thrust
+    b3: Uniform = Uniform(2.8, 4.6)  # rad/s² per N, 4.3 to 7.1 times b2
+    hover_voltage: Uniform = Uniform(3.0, 4.35)  # V, at each rotor
+    exponent: Uniform = Uniform(0.94, 1.74)
+    gain: Uniform = Uniform(0.95, 1.05)  # of each rotor: they differ by up to 10 %
+    lag: Uniform = Uniform(0.04, 0.11)  # s
+    delay: Uniform = Uniform(0.02, 0.10)  # s
+    drift: Uniform = Uniform(-0.02, 0.06)  # share of the thrust that a flight of DRIFT_DURATION loses
+    viscous_travel: Uniform = Uniform(0.01, 0.27)  # 1/s
+    viscous_elevation: Uniform = Uniform(0.18, 0.62)  # 1/s
+    viscous_pitch: Uniform = Uniform(0.10, 0.63)  # 1/s
+    coulomb: Uniform = Uniform(0.0, 0.02)  # rad/s², of each axis
+    travel_lift: Uniform = Uniform(-0.1, 0.05)  # 1/rad
+    elevation_zero: Uniform = Uniform(math.radians(-2.0), math.radians(2.0))
+    pitch_zero: Uniform = Uniform(math.radians(-8.0), math.radians(8.0))
+    table: Uniform = Uniform(math.radians(27.0), math.radians(30.0))
+
+
+FLEET_RANGES = FleetRanges()
+DRIFT_DURATION = 20.0  # s
+BACKWARDS = -0.39  # thrust of a fan that turns backwards, of that forwards, at the same voltage
+
+
+def fleet(ranges: FleetRanges = FLEET_RANGES, parameters: HelicopterParameters = HelicopterParameters()) -> Plant:
+    """A plant with these ranges, of which every draw hovers at its `hover_voltage`; b2 is that of the parameters."""
+    r = ranges
+    return Plant(
+        parameters._replace(a1=r.a1, a2=r.a2, a3=r.a3, b1=r.b1, b3=r.b3),
+        rotors=Rotors(lag=r.lag, delay=r.delay, gains=(r.gain, r.gain)),
+        friction=Friction((r.viscous_travel, r.viscous_elevation, r.viscous_pitch), (r.coulomb,) * 3),
+        sensors=Sensors(zeros=(0.0, r.elevation_zero, r.pitch_zero)),
+        disturbances=(ThrustDrift(r.drift, duration=DRIFT_DURATION),),
+        thrust_map=PowerCurve(1.0, BACKWARDS, r.exponent),
+        hover_voltage=r.hover_voltage,
+        travel_lift=r.travel_lift,
+        table=Table(r.table),
+    )
+
+
 PLANTS = {
     "nominal": Plant(),
     "lab": Plant(rotors=LAB_ROTORS, friction=LAB_FRICTION, sensors=Sensors()),
@@ -520,7 +572,10 @@ PLANTS = {
         friction=LAB_FRICTION,
         sensors=Sensors(),
     ),
+    "fleet": fleet(),
 }
+# The rigs that controllers of these plants are designed for; see `rig.find_rig`.
+NOMINAL_RIGS = {"nominal": "paper", "lab": "paper", "rigid": "paper", "fleet": "fleet"}
 
 
 def find_plant(plant: str | Plant) -> Plant:

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import NO_TABLE, ROTORS, Plant
+from heli_gym.plant import NO_TABLE, Plant, rotor_curves
 from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.thrust_map import PowerCurve, TableCurve
 
@@ -44,9 +44,9 @@ def quantity(name: str, width: int = 1, of_plant: Callable[[Plant], Any] | None 
 
 def power_curve(p: Plant, rotor: int) -> tuple:
     """Thrust curve of a rotor, `PowerCurve`; without any thrust where the rotor has a measured curve instead."""
-    if p.thrust_map is None:
+    curve = rotor_curves(p.thrust_map)[rotor]
+    if curve is None:
         return PowerCurve(p.parameters.k_plus, p.parameters.k_minus)
-    curve = getattr(p.thrust_map, ROTORS[rotor])
     return curve if isinstance(curve, PowerCurve) else PowerCurve(0.0, 0.0, 1.0)
 
 

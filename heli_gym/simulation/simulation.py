@@ -11,7 +11,19 @@ from gymnasium.error import ResetNeeded
 
 from heli_gym import plant
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import AXES, ROTORS, Gust, MovingMass, Plant, Push, RotorFault, Rotors, ThrustDrift, Uniform
+from heli_gym.plant import (
+    AXES,
+    ROTORS,
+    Gust,
+    MovingMass,
+    Plant,
+    Push,
+    RotorFault,
+    Rotors,
+    ThrustDrift,
+    Uniform,
+    rotor_curves,
+)
 from heli_gym.simulation import kernels, motion
 from heli_gym.simulation.layout import (
     COMMAND,
@@ -86,8 +98,7 @@ def count_disturbances(p: Plant) -> int:
 
 def measured_curves(p: Plant) -> list[TableCurve | None]:
     """The measured thrust curve of each rotor, where it has one."""
-    curves = [getattr(p.thrust_map, rotor, None) for rotor in ROTORS]
-    return [curve if isinstance(curve, TableCurve) else None for curve in curves]
+    return [curve if isinstance(curve, TableCurve) else None for curve in rotor_curves(p.thrust_map)]
 
 
 def delay_periods(p: Plant, control_period: float) -> tuple[int, bool]:

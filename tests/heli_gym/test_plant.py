@@ -15,7 +15,9 @@ from heli_gym.model import dynamics, hover_input, thrust, virtual_input, voltage
 from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
 from heli_gym.plant import (
     COULOMB_RATE,
+    FLEET_RANGES,
     LAB_FRICTION,
+    NOMINAL_RIGS,
     PLANTS,
     Friction,
     Gust,
@@ -31,6 +33,7 @@ from heli_gym.plant import (
     Uniform,
     find_plant,
 )
+from heli_gym.rig import find_rig
 from heli_gym.rigid_body import rigid_dynamics, solve_rigid_body
 from heli_gym.simulation.layout import DISTURBANCES, GUST, MEASURED, MOTOR, ROTOR, ROW, X
 from heli_gym.simulation.simulation import Simulation
@@ -321,11 +324,31 @@ def test_draws_are_within_the_ranges_and_leave_none(name):
         draw = plant.draw(np.random.default_rng(seed))
         assert not list(ranges(draw))
         assert draw == plant.draw(np.random.default_rng(seed))
-        if name != "nominal":
+        if name in ("lab", "rigid"):
             assert 0.05 <= draw.rotors.lag <= 0.2
             assert 0.0 <= draw.rotors.thrust_loss <= 0.15
             for value, (low, high) in zip(draw.friction.viscous, [(0.017, 0.2), (0.04, 0.3), (0.04, 0.46)]):
                 assert low <= value <= high
+
+
+def test_every_draw_of_the_fleet_hovers_at_its_hover_voltage_well_within_the_amplifier():
+    low, high = find_rig(NOMINAL_RIGS["fleet"]).voltage_limits
+    for seed in range(20):
+        draw = PLANTS["fleet"].draw(np.random.default_rng(seed))
+        u = draw.hover_voltage
+        assert 0.5 * low < u < 0.5 * high
+        equal = Rotors(gains=(1.0, 1.0))
+        rates = simulate(replace(draw, rotors=equal, disturbances=()), (u, u), duration=1.0).x[3]
+        assert_allclose(rates, 0.0, atol=1e-9)
+
+
+def test_the_nominal_rig_of_the_fleet_is_in_the_middle_of_its_ranges():
+    rig, r = find_rig("fleet"), FLEET_RANGES
+    p = rig.parameters
+    middles = [(p.a1, r.a1), (p.a2, r.a2), (p.a3, r.a3), (p.b1, r.b1), (p.b3, r.b3), (rig.lag, r.lag)]
+    middles += [(rig.hover_voltage()[0], r.hover_voltage), (rig.delay, r.delay), (rig.table_elevation, r.table)]
+    for value, (low, high) in [(v, (u.low, u.high)) for v, u in middles]:
+        assert low + 0.3 * (high - low) <= value <= high - 0.3 * (high - low)
 
 
 def test_travel_damping_ends_before_the_paper_s_plan_takes_more_voltage_than_there_is():
@@ -439,7 +462,7 @@ def test_reset_can_set_the_plant_of_one_episode():
         (lambda: Plant(sensors=(8192, 4096, 4096)), "sensors"),
         (lambda: Plant(disturbances=[]), "disturbances"),
         (lambda: Plant(disturbances=(0.1,)), "disturbances"),
-        (lambda: Plant(thrust_map=POWER), "thrust_map"),
+        (lambda: Plant(thrust_map=0.1), "thrust_map"),
         (lambda: Plant(thrust_map=ThrustMap(POWER, PowerCurve(1.0, exponent=3.0))), "thrust_map.back.exponent"),
         (lambda: Plant(thrust_map=ThrustMap(POWER, MEASURED_CURVE), hover_voltage=5.0), "hover_voltage"),
         (lambda: Plant(HelicopterParameters(a2=-0.4), hover_voltage=5.0), "hover_voltage"),
@@ -468,7 +491,7 @@ def test_whatever_may_be_a_range_is_drawn_and_flown():
             RotorFault("back", one, one),
             ThrustDrift(one, one, one),
         ),
-        thrust_map=ThrustMap(*[PowerCurve(Uniform(0.9, 1.1), -0.3, Uniform(1.0, 1.5), one)] * 2),
+        thrust_map=PowerCurve(Uniform(0.9, 1.1), -0.3, Uniform(1.0, 1.5), one),
         hover_voltage=Uniform(4.0, 5.0),
         travel_lift=Uniform(-0.2, -0.1),
         table=Table(Uniform(0.4, 0.5), one),
