@@ -48,6 +48,7 @@ def interpreted(flights, patch):
     """A copy of these flights that is stepped by the very same functions, uncompiled."""
     copy = pickle.loads(pickle.dumps(flights))
     patch.setattr(motion, "derivative", flights.rhs)
+    patch.setattr(kernels, "fly", flights.fly)
     copy.kernels = kernels.Kernels(kernels.reset, kernels.write_outputs, kernels.step)
     return copy
 
