@@ -3,7 +3,8 @@
 from heli_gym.baselines.control.policies import POLICIES, make_policy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.residual_action import ResidualAction, VectorResidualAction
-from heli_gym.baselines.evaluation.rollout import fly
+from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
+from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.evaluation.scoring import evaluate
 from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.baselines.planning.feasibility import InfeasibleManeuver
@@ -14,11 +15,14 @@ __all__ = [
     "POLICIES",
     "InfeasibleManeuver",
     "ManeuverSampler",
+    "Metrics",
     "Policy",
     "ResidualAction",
     "VectorResidualAction",
     "evaluate",
+    "flight_metrics",
     "fly",
+    "fly_many",
     "make_policy",
     "plan",
     "plan_fastest",

@@ -4,25 +4,66 @@ Importing it registers `Heli3DOF-v0`. It imports nothing else of ours; `heli_gym
 on it.
 """
 
+import importlib
+from typing import TYPE_CHECKING, Any
+
 from gymnasium import register
 
 from heli_gym.model import dynamics, linearise, thrust, voltage
 from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.plant import (
+    PLANTS,
+    Friction,
+    Gust,
+    MovingMass,
+    OneOf,
+    Plant,
+    Push,
+    RotorFault,
+    Rotors,
+    Sensors,
+    Table,
+    ThrustDrift,
+    Uniform,
+    find_plant,
+)
 from heli_gym.rig import Masses, Rig, find_rig
 from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustMap
-from heli_gym.trajectory import Maneuver, Trajectory
+from heli_gym.trajectory import Maneuver, Sampler, Trajectory
+
+if TYPE_CHECKING:
+    from heli_gym.env import Heli3DOFEnv, find_reference
+    from heli_gym.vector_env import Heli3DOFVectorEnv
 
 __all__ = [
+    "PLANTS",
+    "Friction",
+    "Gust",
+    "Heli3DOFEnv",
+    "Heli3DOFVectorEnv",
     "HelicopterParameters",
     "Limits",
     "Maneuver",
     "Masses",
+    "MovingMass",
+    "OneOf",
+    "Plant",
     "PowerCurve",
+    "Push",
     "Rig",
+    "RotorFault",
+    "Rotors",
+    "Sampler",
+    "Sensors",
+    "Table",
     "TableCurve",
+    "ThrustDrift",
     "ThrustMap",
     "Trajectory",
+    "Uniform",
     "dynamics",
+    "find_plant",
+    "find_reference",
     "find_rig",
     "linearise",
     "thrust",
@@ -36,3 +77,18 @@ register(
     entry_point="heli_gym.env:Heli3DOFEnv",
     vector_entry_point="heli_gym.vector_env:Heli3DOFVectorEnv",
 )
+
+# The environments load the compiler, which takes as long as all else: when they are first asked for.
+LAZY = {"Heli3DOFEnv": "env", "find_reference": "env", "Heli3DOFVectorEnv": "vector_env"}
+
+
+def __getattr__(name: str) -> Any:
+    if name in LAZY:
+        return getattr(importlib.import_module(f"heli_gym.{LAZY[name]}"), name)
+    if name in LAZY.values():
+        return importlib.import_module(f"heli_gym.{name}")
+    raise AttributeError(f"module 'heli_gym' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *LAZY, *LAZY.values()})

@@ -10,7 +10,6 @@ from functools import cached_property
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
 
 from heli_gym.model import power_thrust
 from heli_gym.parameters import Scalar
@@ -79,8 +78,10 @@ class TableCurve:
     thrusts: tuple[float, ...]
 
     @cached_property
-    def cubics(self) -> PchipInterpolator:
+    def cubics(self) -> Any:
         """The curve between its ends."""
+        from scipy.interpolate import PchipInterpolator  # takes longer to import than all else here
+
         return PchipInterpolator(self.voltages, self.thrusts)
 
     @cached_property

@@ -110,6 +110,13 @@ def test_a_users_own_train_and_baselines_do_not_get_in_the_way(tmp_path):
     assert child.stdout.strip() == "0"  # no module is in memory twice
 
 
+def test_help_works_after_importing_the_package_alone():
+    code = "import heli_gym, pydoc; print(pydoc.render_doc(heli_gym.env.Heli3DOFEnv)[:200]); pydoc.render_doc(heli_gym)"
+    child = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True)
+    assert child.returncode == 0, child.stderr
+    assert "Heli3DOFEnv" in child.stdout
+
+
 def test_importing_the_environment_or_the_policies_loads_nothing_heavy():
     script = (
         "import sys, json, heli_gym, heli_gym.env; first = list(sys.modules);"
