@@ -25,6 +25,7 @@ COMMANDS = {
     "heli-export": "heli_gym.baselines.commands.export",
     "heli-export-onnx": "heli_gym.train.export_onnx",
     "heli-film": "heli_gym.baselines.commands.film",
+    "heli-identify": "heli_gym.baselines.commands.identify",
     "heli-leaderboard": "heli_gym.baselines.commands.leaderboard",
     "heli-log": "heli_gym.baselines.commands.log",
     "heli-make-references": "heli_gym.baselines.commands.make_references",

@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 
 from heli_gym.baselines.evaluation.figures import BLUE, INK, LIMIT, NOTE, RED, columns_of_panels, finish, note, styled
 from heli_gym.baselines.identification.flight_log import ANGLES, VOLTAGES, FlightLog
+from heli_gym.baselines.identification.prediction import FilteredLog, constant_rate, horizon_starts
 from heli_gym.trajectory import Trajectory
 
 ON_TABLE = {"color": "0.5", "alpha": 0.25, "linewidth": 0.0}
@@ -62,3 +63,28 @@ def runs(mask: np.ndarray) -> Iterator[tuple[int, int]]:
     edges = np.flatnonzero(np.diff(np.concatenate(([False], mask, [False])).astype(int)))
     for first, after in zip(edges[::2], edges[1::2]):
         yield int(first), min(int(after), len(mask) - 1)
+
+
+@styled
+def predictions(filtered: FilteredLog, fit_share: float, horizon: float = 1.0) -> Figure:
+    """Measured angles, those predicted a horizon in s before, and the errors; what was fitted is grey."""
+    log = filtered.log
+    figure = Figure(figsize=(11.0, 6.4))
+    n = round(horizon / log.sample_time)
+    k = horizon_starts(log, (0.0, 1.0), horizon)
+    y = filtered.predict(k, n)[:, :, n].T
+    plain = constant_rate(log, k, horizon)
+    for axis, (left, right) in enumerate(columns_of_panels(figure, 3, 2)):
+        left.plot(log.t, np.degrees(log.angles[axis]), color=INK, linewidth=1.0, label="measured")
+        left.plot(log.t[k + n], np.degrees(y[axis]), color=BLUE, label=f"predicted {horizon:g} s before")
+        for values, colour, label in ((plain, "0.6", "constant rate"), (y, BLUE, f"predicted {horizon:g} s before")):
+            error = np.degrees(log.angles[axis, k + n] - values[axis])
+            right.plot(log.t[k + n], error, color=colour, label=label)
+        for axes in (left, right):
+            axes.axvspan(0.0, fit_share * log.duration, **ON_TABLE)
+            axes.set_xlim(0.0, log.duration)
+        left.set_ylabel(f"{ANGLES[axis]} $q_{axis + 1}$ (deg)")
+        right.set_ylabel("error (deg)")
+    figure.suptitle(f"{log.name}; grey: the part that was fitted", parse_math=False)
+    finish(figure)
+    return figure

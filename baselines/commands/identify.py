@@ -1,0 +1,191 @@
+"""`heli-identify`: a rig from logs of its flights, and how well it predicts what was not fitted."""
+
+import json
+import math
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+import tyro
+from rich.console import Console
+from rich.table import Table
+
+from heli_gym.baselines.evaluation import log_figures
+from heli_gym.baselines.evaluation.figures import DPI
+from heli_gym.baselines.identification.estimation import EFFECTS, Identification, identify
+from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog
+from heli_gym.baselines.identification.prediction import (
+    FilteredLog,
+    Validation,
+    pooled,
+    report,
+    tune,
+    validate,
+    verdicts,
+)
+from heli_gym.cli import announce_replaced, command, parse
+from heli_gym.rig import find_rig
+from heli_gym.storage import atomic_write, check_folder
+
+STRONG = 0.9  # correlation that is printed
+
+
+@dataclass
+class Args:
+    """Identify a rig from logs of its flights, and say how well the model predicts what was not fitted."""
+
+    logs: Annotated[tuple[Path, ...], tyro.conf.Positional] = ()  # .csv or .mat, all of one rig
+    rig: str = "paper"  # name or .toml of the rig that gives the scale of the thrusts, sensors and amplifier
+    fit_share: float = 0.6  # share of each log, from its start, that is fitted; the rest is predicted
+    mapping: Path | None = None  # .toml or .json with the tables columns, signs, units, zeros
+    sample_time: float | None = None  # s; by default 0.01, or the log's own if that is longer
+    out: Path | None = None  # .toml, for the identified rig
+    json: Path | None = None  # .json, for the report
+    figures: Path | None = None  # folder, for measured and predicted angles
+    ablation: bool = False  # whether to identify without and with each effect, too: takes ten times as long
+    quiet: bool = False  # whether to leave out the progress
+
+
+def parameter_table(model: Identification) -> Table:
+    """The parameters with standard errors."""
+    table = Table("parameter", "value", "standard error", "", title=f"{', '.join(model.logs)}")
+    errors = model.standard_errors
+    for name, value in model.parameters._asdict().items():
+        if name in errors:
+            table.add_row(name, f"{value:.4g}", f"{errors[name]:.2g}", "")
+        elif name in model.undetermined:
+            table.add_row(name, f"{value:.4g}", "", "kept at the prior: the data do not determine it")
+    return table
+
+
+def prediction_table(validations: Sequence[Validation], horizon: float) -> Table:
+    """RMS errors in degrees of each predictor, and relative to constant rate, over all logs."""
+    table = Table("predictor", *ANGLES, title=f"RMS error in degrees after {horizon:g} s (share of constant rate)")
+    plain = pooled(validations, horizon, "constant rate")
+    for name in ("constant rate", "constant acceleration", "black box", "model"):
+        values = pooled(validations, horizon, name)
+        if values[0] is not None:
+            cells = [f"{value:.2f} ({value / max(other, 1e-9):.2f})" for value, other in zip(values, plain)]  # type: ignore
+            table.add_row(name, *cells)
+    return table
+
+
+def log_table(validations: Sequence[Validation]) -> Table:
+    """Errors at 1 s relative to constant rate, log by log: model and black box."""
+    table = Table("log", "windows", *ANGLES, title="model / black box at 1 s, share of constant rate")
+    for v in validations:
+        if 1.0 in v.rms:
+            plain, model, box = (v.rms[1.0].get(name) for name in ("constant rate", "model", "black box"))
+            cells = [
+                f"{model[i] / plain[i]:.2f} / {'-' if box is None else f'{box[i] / plain[i]:.2f}'}"  # type: ignore
+                + ("" if np.degrees(v.moved[i]) > 2.0 else " (still)")
+                for i in range(3)
+            ]
+            table.add_row(v.name, str(v.windows[1.0]), *cells)
+    return table
+
+
+def ablation_table(logs: list[FlightLog], args: Args, progress: Any) -> tuple[Table, dict[str, Any]]:
+    """Errors at 1 s of models that have more and more of the effects, and of the whole without each."""
+    table = Table("effects", *ANGLES, title="RMS error in degrees at 1 s, windows that were not fitted")
+    names, found = list(EFFECTS), {}
+    cases = {"(2) and (3) alone": []} | {f"+ {name}": names[: i + 1] for i, name in enumerate(names)}
+    cases |= {f"all but {name}": [other for other in names if other != name] for name in names}
+    for title, effects in cases.items():
+        progress(f"ablation: {title}")
+        model = identify(logs, args.rig, args.fit_share, effects)
+        values = pooled(validate(logs, model, tune(logs, model), (1.0,)), 1.0, "model")
+        found[title] = dict(zip(ANGLES, values))
+        table.add_row(title, *(f"{value:.2f}" if value is not None else "-" for value in values))
+    return table, found
+
+
+def check(args: Args) -> None:
+    """Raises ValueError for arguments that cannot be."""
+    if not args.logs:
+        raise ValueError("logs: must be at least one file")
+    if not (math.isfinite(args.fit_share) and 0.0 < args.fit_share <= 1.0):
+        raise ValueError(f"fit_share = {args.fit_share!r}: must be more than 0 and at most 1")
+    for name, suffix in (("out", ".toml"), ("json", ".json")):
+        path = getattr(args, name)
+        if path is not None:
+            if path.suffix != suffix or path.is_dir():
+                raise ValueError(f"{name} = {str(path)!r}: must end in {suffix}")
+            check_folder(name, path.parent)
+    if args.figures is not None:
+        check_folder("figures", args.figures)
+
+
+def run(args: Args) -> None:
+    """Load, identify, predict, write, print."""
+    check(args)
+    find_rig(args.rig)
+    announce_replaced("heli-identify", *(path for path in (args.out, args.json) if path))
+    console, began = Console(), time.perf_counter()
+
+    def progress(text: str) -> None:
+        if not args.quiet:
+            print(f"{time.perf_counter() - began:6.1f} s  {text}", file=sys.stderr, flush=True)
+
+    logs = [FlightLog.load(path, mapping=args.mapping, sample_time=args.sample_time) for path in args.logs]
+    model = identify(logs, args.rig, args.fit_share, progress=progress)
+    progress("settings of the filter")
+    settings = tune(logs, model)
+    progress("predictions")
+    validations = validate(logs, model, settings)
+    name = args.out.stem if args.out else logs[0].name
+    rig: dict[str, Any] = {}
+    try:
+        identified = model.rig(name)
+        rig = {"name": name, "toml": identified.to_toml()}
+    except ValueError as error:
+        if args.out:
+            raise ValueError(f"out = {str(args.out)!r}: the model makes no rig that hovers: {error}") from error
+    results = report(logs, model, validations, rig)
+    ablation = None
+    if args.ablation:
+        ablation, results["ablation"] = ablation_table(logs, args, progress)
+    if args.json:
+        with atomic_write(args.json) as file:
+            file.write((json.dumps(results, indent=1) + "\n").encode())
+    if args.out:
+        identified.save(args.out)
+    console.print(parameter_table(model))
+    for i, one in enumerate(model.free):
+        for j in range(i):
+            if abs(model.correlations[i, j]) > STRONG:
+                console.print(f"correlation of {model.free[j]} and {one}: {model.correlations[i, j]:.2f}")
+    if any(1.0 in v.rms for v in validations):
+        for horizon in (1.0, 3.0):
+            console.print(prediction_table(validations, horizon))
+        console.print(log_table(validations))
+        for line in verdicts(validations):
+            console.print(line)
+    else:
+        console.print("no window was left to predict: fit_share must be smaller, or the log longer")
+    if ablation is not None:
+        console.print(ablation)
+    if args.figures:
+        for log in logs:
+            path = args.figures / f"{log.name}.png"
+            with atomic_write(path) as file:
+                figure = log_figures.predictions(FilteredLog(log, model, settings), args.fit_share)
+                figure.savefig(file, format="png", dpi=DPI)
+            console.print(f"picture: {path}")
+    for kind, path in (("rig", args.out), ("report", args.json)):
+        if path:
+            console.print(f"{kind}: {path}")
+
+
+def main(args: Args | None = None) -> None:
+    """The command `heli-identify`."""
+    with command("heli-identify"):
+        run(args or parse(Args, "heli-identify"))
+
+
+if __name__ == "__main__":
+    main()

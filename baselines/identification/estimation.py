@@ -1,0 +1,466 @@
+"""Identification by output errors over short windows: multiple shooting, with the windows' own unknowns eliminated.
+
+A log is cut into windows. In each, its initial state and three slow accelerations are free, the latter within a spread
+that is estimated too; in all, the rig's parameters are the same. Gauss-Newton steps with Huber's loss minimise the
+errors of the angles and the distance from a prior. Errors of neighbouring samples are correlated, for no model is
+complete: their weight is divided by the time over which they are, or standard errors would be far too small.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from heli_gym.baselines.identification.flight_log import FlightLog
+from heli_gym.baselines.identification.measured_model import (
+    NAMES,
+    MeasuredParameters,
+    dual_thrusts,
+    sensitivity_kernel,
+)
+from heli_gym.model import hover_input
+from heli_gym.parameters import HelicopterParameters
+from heli_gym.rig import Rig, find_rig
+from heli_gym.thrust_map import PowerCurve, ThrustMap
+
+WINDOW = 2.0  # s
+EVERY = 5  # samples, of which one counts
+HUBER = 3.0  # standard deviations, from which on an error counts linearly
+LEAST_SIGMA = 2.0 * math.pi / np.array([8192, 4096, 4096]) / math.sqrt(12.0)  # rad, of rounding to encoder counts
+LEAST_SPREAD = 1e-3  # rad/s², of the slow accelerations
+UNDETERMINED = 0.7  # share of the prior's spread above which the data say too little
+MAX_PARAMETER = 1e6
+
+# Spread of the prior about the start. From the identified rigs, doubled; those of frictions, lag and delay from the
+# published ranges.
+SPREAD = MeasuredParameters(
+    a1=0.5, a2=0.5, a3=0.5, b1=0.4, b2=0.4, b3=3.0, c1=0.1, c2=0.2, c3=0.2, exponent=0.3, reverse=0.3, mismatch=0.1,
+    lag=0.04, delay=0.02, pitch_zero=0.15, pitch_trim=0.5, voltage_limit=20.0, centrifugal=0.15, centre=0.1,
+    pitch_spin=0.3, gyro=0.8, pitch_speed=0.1,
+)  # fmt: skip
+LOW = MeasuredParameters(
+    a1=-6.0, a2=-6.0, a3=-6.0, b1=-8.0, b2=-8.0, b3=0.05, c1=0.0, c2=0.0, c3=0.0, exponent=0.5, reverse=0.0,
+    mismatch=-0.5, lag=0.005, delay=0.0, pitch_zero=-1.0, pitch_trim=-5.0, voltage_limit=1.0, centrifugal=-1.0,
+    centre=-1.0, pitch_spin=-3.0, gyro=-5.0, pitch_speed=-3.0,
+)  # fmt: skip
+HIGH = MeasuredParameters(
+    a1=6.0, a2=6.0, a3=6.0, b1=-0.005, b2=-0.005, b3=40.0, c1=3.0, c2=3.0, c3=3.0, exponent=2.0, reverse=1.5,
+    mismatch=0.5, lag=0.5, delay=0.3, pitch_zero=1.0, pitch_trim=5.0, voltage_limit=1000.0, centrifugal=3.0,
+    centre=1.0, pitch_spin=3.0, gyro=5.0, pitch_speed=3.0,
+)  # fmt: skip
+
+# Effects beyond Table I's structure, (2) and (3) with what it neglects: their parameters, and the values without them.
+EFFECTS: dict[str, dict[str, float]] = {
+    "trim": {"mismatch": 0.0, "pitch_zero": 0.0, "pitch_trim": 0.0},
+    "friction": {"c1": 0.0, "c2": 0.0, "c3": 0.0},
+    "lag": {"lag": 0.005, "delay": 0.0},
+    "exponent": {"exponent": 2.0},
+    "amplifier": {"voltage_limit": 1000.0},
+    "centrifugal": {"centrifugal": 0.0, "centre": 0.0},
+    "spin": {"pitch_spin": 0.0},
+    "gyro": {"gyro": 0.0},
+    "airflow": {"pitch_speed": 0.0},
+}
+COEFFICIENTS = ("a1", "a2", "a3", "b1", "b2", "b3")
+
+
+@dataclass(frozen=True, eq=False)
+class Identification:
+    """An identified rig.
+
+    Attributes:
+        parameters: all parameters; thrusts in units of one rotor's at `hover_voltage`.
+        hover_voltage: median voltage in V while airborne.
+        free: names of the parameters that were estimated from the data.
+        covariance: (P, P) of these.
+        undetermined: names of the parameters that stay at the prior, because the data say too little about them.
+        sigma: (3,) rad, robust spread of the errors of the angles within the fitted windows.
+        correlation_time: (3,) s, over which these errors are correlated.
+        offset_spread: (3,) rad/s², of the slow accelerations from window to window.
+        logs: names of the logs.
+        fit_share: share of each that was fitted.
+        start: rig that gave the prior and the scale of the thrusts.
+        table_elevation: rad, from the logs, or the start's if they start in the air.
+        voltage_range: smallest and largest voltage in V in the logs.
+        sample_time: s, of the logs.
+    """
+
+    parameters: MeasuredParameters
+    hover_voltage: float
+    free: tuple[str, ...]
+    covariance: np.ndarray
+    undetermined: tuple[str, ...]
+    sigma: np.ndarray
+    correlation_time: np.ndarray
+    offset_spread: np.ndarray
+    logs: tuple[str, ...]
+    fit_share: float
+    start: Rig
+    table_elevation: float
+    voltage_range: tuple[float, float]
+    sample_time: float
+
+    @property
+    def theta(self) -> np.ndarray:
+        """The parameters as an array."""
+        return np.array(self.parameters, dtype=float)
+
+    @property
+    def thrust_unit(self) -> float:
+        """Newtons in the unit of thrust: what one rotor of the start rig gives in level hover."""
+        return 0.5 * float(hover_input(0.0, self.start.parameters)[0])
+
+    @property
+    def standard_errors(self) -> dict[str, float]:
+        """Of the free parameters."""
+        return dict(zip(self.free, np.sqrt(np.diag(self.covariance)).tolist()))
+
+    @property
+    def correlations(self) -> np.ndarray:
+        """(P, P), of the free parameters."""
+        spread = np.sqrt(np.diag(self.covariance))
+        return self.covariance / np.outer(spread, spread)
+
+    def rig(self, name: str) -> Rig:
+        """The rig as `heli_gym` flies it: (3), the thrust map, amplifier, lag and delay.
+
+        Pitch is counted from `pitch_zero`, so that travel does not accelerate at zero pitch. A trim that the thrust map
+        cannot express becomes a difference of the rotors. The scale of the thrusts is the start rig's, for newtons
+        cannot be told from the flight of a rig: b1, b2, b3 and the thrust map have their products right.
+        """
+        p, unit = self.parameters, self.thrust_unit
+        table = HelicopterParameters(
+            a1=p.a1, a2=p.a2, a3=p.a3, b1=p.b1 / unit, b2=p.b2 / unit, b3=p.b3 / unit, c1=p.c1, c2=p.c2, c3=p.c3
+        )  # fmt: skip
+        curves = []
+        for side in (1.0, -1.0):
+            # half of the trim's thrust difference on each rotor, at hover
+            gain = 1.0 + side * (p.mismatch + 0.5 * p.pitch_trim / p.b3)
+            k = gain * unit / self.hover_voltage**p.exponent
+            curves.append(PowerCurve(k, -p.reverse * k, p.exponent))
+        low, high = self.start.voltage_limits
+        if p.voltage_limit < MAX_PARAMETER and "voltage_limit" in self.free:
+            low, high = max(min(low, self.voltage_range[0]), -p.voltage_limit), p.voltage_limit
+        else:
+            low, high = min(low, self.voltage_range[0]), max(high, self.voltage_range[1])
+        return Rig(
+            name,
+            table,
+            ThrustMap(*curves),
+            voltage_limits=(float(low), float(high)),
+            pitch_limit=self.start.pitch_limit,
+            table_elevation=self.table_elevation,
+            encoder_counts=self.start.encoder_counts,
+            sample_time=self.sample_time,
+            lag=float(p.lag),
+            delay=float(p.delay),
+            sensor_signs=(1, 1, 1),
+            sensor_zeros=(0.0, 0.0, float(p.pitch_zero)),
+            limits=None,  # type: ignore[arg-type]
+            source=f"identified from {', '.join(self.logs)} (first {100.0 * self.fit_share:g} %)",
+        )
+
+
+def identify(
+    logs: Sequence[FlightLog],
+    start: Rig | str = "paper",
+    fit_share: float = 0.6,
+    effects: Sequence[str] = tuple(EFFECTS),
+    prior: MeasuredParameters | None = None,
+    progress: Callable[[str], None] = lambda text: None,
+) -> Identification:
+    """Estimate the parameters of a rig from logs of its flights.
+
+    Args:
+        logs: of one rig, with one sample time.
+        start: the rig that gives the scale of the thrusts, sensors, and what the data do not determine.
+        fit_share: of each log, from its start, that is used.
+        effects: beyond (2) and (3), names from EFFECTS.
+        prior: centre of the prior, by default the middle of identified rigs.
+        progress: is called with a line of text now and then.
+
+    Raises:
+        ValueError: for an empty list, different sample times, a share outside (0, 1], an unknown effect, or logs
+            without airborne windows.
+    """
+    logs = list(logs)
+    if not logs:
+        raise ValueError("logs: must be at least one")
+    if not (isinstance(fit_share, int | float) and 0.0 < fit_share <= 1.0):
+        raise ValueError(f"fit_share = {fit_share!r}: must be more than 0 and at most 1")
+    for effect in effects:
+        if effect not in EFFECTS:
+            raise ValueError(f"effects: {effect!r} must be one of {', '.join(EFFECTS)}")
+    dt = logs[0].sample_time
+    for log in logs:
+        if abs(log.sample_time - dt) > 1e-6 * dt:
+            raise ValueError(f"logs: must have one sample time, but have {dt:g} s and {log.sample_time:g} s")
+    problem = Shooting(logs, fit_share)
+    start = find_rig(start)
+    centre = np.array(MeasuredParameters() if prior is None else prior, dtype=float)
+    free = list(COEFFICIENTS)
+    for effect, neutral in EFFECTS.items():
+        if effect in effects:
+            free += list(neutral)
+        else:
+            for name, value in neutral.items():
+                centre[NAMES.index(name)] = value
+    if problem.share_reversed() > 0.005:
+        free.append("reverse")
+    theta, limited = centre.copy(), NAMES.index("voltage_limit")
+    if "voltage_limit" in free:
+        free.remove("voltage_limit")
+        theta, limit = best_limit(problem, theta, centre, free, progress)
+        if limit is not None:
+            free.append("voltage_limit")
+            theta[limited] = centre[limited] = limit
+    theta, covariance = problem.fit(theta, centre, free, progress=progress)
+    spread = np.array([SPREAD[NAMES.index(name)] for name in free])
+    known = np.sqrt(np.diag(covariance)) < UNDETERMINED * spread
+    undetermined = [name for name, is_known in zip(free, known) if not is_known]
+    if undetermined:
+        progress(f"the data do not determine {', '.join(undetermined)}: kept at the prior")
+        for name in undetermined:
+            theta[NAMES.index(name)] = centre[NAMES.index(name)]
+        free = [name for name in free if name not in undetermined]
+        theta, covariance = problem.fit(theta, centre, free, progress=progress)
+    tables = [log.table_elevation() for log in logs]
+    table = float(np.median([angle for angle in tables if math.isfinite(angle)] or [start.table_elevation]))
+    voltages = np.concatenate([log.voltages for log in logs], axis=1)
+    return Identification(
+        MeasuredParameters(*theta.tolist()),
+        problem.hover_voltage,
+        tuple(free),
+        covariance,
+        tuple(undetermined),
+        problem.sigma.copy(),
+        problem.correlation_time.copy(),
+        problem.spread.copy(),
+        tuple(log.name for log in logs),
+        float(fit_share),
+        start,
+        table,
+        (float(voltages.min()), float(voltages.max())),
+        dt,
+    )
+
+
+def best_limit(
+    problem: "Shooting", theta: np.ndarray, centre: np.ndarray, free: list[str], progress: Callable[[str], None]
+) -> tuple[np.ndarray, float | None]:
+    """Start of the search with the amplifier's limit that fits best, None for no limit; its loss has several minima."""
+    index = NAMES.index("voltage_limit")
+    largest = problem.largest_voltage()
+    best, best_loss, best_limit = theta, math.inf, None
+    for limit in (None, 0.9 * largest, 0.75 * largest, 0.62 * largest, 0.5 * largest, 0.4 * largest):
+        if limit is not None and limit < 1.2 * problem.hover_voltage:
+            continue
+        trial, middle = theta.copy(), centre.copy()
+        trial[index] = middle[index] = centre[index] if limit is None else limit
+        names = free if limit is None else [*free, "voltage_limit"]
+        problem.reset()
+        trial, _ = problem.fit(trial, middle, names, iterations=8, adapt=False)
+        loss = problem.loss_value + (0.0 if limit is None else 10.0)  # one more parameter has to pay
+        progress(f"amplifier {'without a limit' if limit is None else f'at {trial[index]:.2f} V'}: loss {loss:.0f}")
+        if loss < best_loss:
+            best, best_loss, best_limit = trial, loss, None if limit is None else float(trial[index])
+    problem.reset()
+    return best, best_limit
+
+
+class Shooting:
+    """The windows of some logs, and their unknowns."""
+
+    def __init__(self, logs: Sequence[FlightLog], share: float, window: float = WINDOW) -> None:
+        self.logs, self.dt = list(logs), logs[0].sample_time
+        self.n = round(window / self.dt)
+        self.starts = [window_starts(log, share, self.n) for log in logs]
+        if sum(map(len, self.starts)) < 3:
+            raise ValueError(
+                f"logs: {', '.join(log.name for log in logs)} must have at least three airborne windows of {window:g} "
+                f"s in the first {100.0 * share:g} %"
+            )
+        airborne = np.concatenate([log.voltages[:, log.airborne()].ravel() for log in logs])
+        self.hover_voltage = float(np.median(np.abs(airborne)))
+        if self.hover_voltage < 1e-3:
+            raise ValueError("logs: the voltages must not be zero while airborne")
+        self.measured = [
+            np.stack([log.angles[:, k : k + self.n + 1 : EVERY] for k in starts]) if len(starts) else None
+            for log, starts in zip(self.logs, self.starts)
+        ]
+        self.reset()
+
+    def reset(self) -> None:
+        """Initial states from smoothed logs, no accelerations, first guesses of all spreads."""
+        self.z = []
+        for log, starts in zip(self.logs, self.starts):
+            z = np.zeros((len(starts), 9))
+            z[:, 0:6:2], z[:, 1:6:2] = log.angles[:, starts].T, log.rates()[:, starts].T
+            self.z.append(z)
+        self.sigma = np.array([0.003, 0.004, 0.008])
+        self.correlation_time = np.full(3, EVERY * self.dt)
+        self.spread = np.array([0.05, 0.05, 0.1])
+        self.loss_value = math.inf
+
+    def share_reversed(self) -> float:
+        """Share of the fitted voltages that turn a rotor backwards."""
+        parts = [log.voltages[:, k : k + self.n] for log, starts in zip(self.logs, self.starts) for k in starts]
+        return float(np.mean(np.concatenate(parts, axis=1) < -0.3))
+
+    def largest_voltage(self) -> float:
+        """The largest voltage in V in the fitted windows, by size."""
+        return max(
+            float(np.abs(log.voltages[:, k : k + self.n]).max())
+            for log, starts in zip(self.logs, self.starts)
+            for k in starts
+        )
+
+    def weights(self) -> np.ndarray:
+        """Standard deviations (3, 1) by which errors are divided: enlarged, where errors of neighbours are alike."""
+        return (self.sigma * np.sqrt(np.maximum(self.correlation_time / (EVERY * self.dt), 1.0)))[:, None]
+
+    def simulate(self, theta: np.ndarray, z: list[np.ndarray], chosen: np.ndarray) -> list[tuple]:
+        """Angles (W, 3, m) and their derivatives (W, 9 + P, 3, m), for each log with windows."""
+        result = []
+        for log, starts, states in zip(self.logs, self.starts, z):
+            if not len(starts):
+                result.append((np.zeros((0, 3, 1)), np.zeros((0, 9 + len(chosen), 3, 1))))
+                continue
+            f = dual_thrusts(theta, log.voltages, self.dt, self.hover_voltage, chosen)
+            y = np.empty((len(starts), 3, self.n + 1))
+            dy = np.empty((len(starts), 9 + len(chosen), 3, self.n + 1))
+            sensitivity_kernel()(states, starts, f, self.dt, theta.astype(complex), chosen, y, dy)
+            result.append((y[:, :, ::EVERY], dy[:, :, :, ::EVERY]))
+        return result
+
+    def loss(self, simulated: list[tuple], z: list[np.ndarray], step: np.ndarray) -> float:
+        """Huber's loss of the errors, and squares of the accelerations and of the distance from the prior."""
+        total = float(step @ step)
+        for (y, _), measured, states in zip(simulated, self.measured, z):
+            if measured is not None:
+                size = np.abs(measured - y) / self.weights()
+                total += float(np.where(size < HUBER, size**2, 2.0 * HUBER * size - HUBER**2).sum())
+                total += float(((states[:, 6:] / self.spread) ** 2).sum())
+        return total if math.isfinite(total) else math.inf
+
+    def normal_equations(self, simulated: list[tuple], chosen: np.ndarray) -> tuple:
+        """Matrix and right side for the parameters, and what gives the windows' unknowns from their step.
+
+        In each window, the nine unknowns are eliminated (Schur complement).
+        """
+        count = len(chosen)
+        matrix, side, back = np.zeros((count, count)), np.zeros(count), []
+        variance = np.zeros(3)
+        for (y, dy), measured, states in zip(simulated, self.measured, self.z):
+            if measured is None:
+                back.append(None)
+                continue
+            residual = (measured - y) / self.weights()
+            weight = np.sqrt(np.minimum(1.0, HUBER / np.maximum(np.abs(residual), 1e-12)))
+            J = (dy / self.weights() * weight[:, None]).reshape(*dy.shape[:2], -1)
+            r = (residual * weight).reshape(len(residual), -1)
+            H, g = J @ J.transpose(0, 2, 1), (J @ r[:, :, None])[:, :, 0]
+            own, i = np.arange(6, 9), np.arange(9)
+            H[:, own, own] += 1.0 / self.spread**2
+            g[:, own] -= states[:, own] / self.spread**2
+            H[:, i, i] *= 1.0 + 1e-9
+            solved = np.linalg.solve(H[:, :9, :9], np.concatenate((H[:, :9, 9:], g[:, :9, None]), axis=2))
+            across = H[:, 9:, :9]
+            matrix += (H[:, 9:, 9:] - across @ solved[:, :, :-1]).sum(axis=0)
+            side += (g[:, 9:] - (across @ solved[:, :, -1:])[:, :, 0]).sum(axis=0)
+            variance += np.diagonal(np.linalg.inv(H[:, :9, :9]), axis1=1, axis2=2)[:, 6:].sum(axis=0)
+            back.append(solved)
+        return matrix, side, back, variance / sum(map(len, self.starts))
+
+    def fit(
+        self,
+        theta: np.ndarray,
+        centre: np.ndarray,
+        free: Sequence[str],
+        iterations: int = 25,
+        adapt: bool = True,
+        progress: Callable[[str], None] = lambda text: None,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Estimate the free parameters; returns all parameters (22,) and the covariance of the free ones.
+
+        With `adapt`, the spreads of errors and accelerations are estimated along with them.
+        """
+        chosen = np.array([NAMES.index(name) for name in free])
+        low, high = np.array(LOW)[chosen], np.array(HIGH)[chosen]
+        prior, theta, damping, variance = np.array(SPREAD)[chosen], theta.copy(), 1e-3, np.zeros(3)
+
+        def distance(values: np.ndarray) -> np.ndarray:
+            return (values[chosen] - centre[chosen]) / prior
+
+        simulated = self.simulate(theta, self.z, chosen)
+        for iteration in range(iterations):
+            if adapt and iteration:
+                self.adapt(simulated, variance)
+            loss = self.loss(simulated, self.z, distance(theta))
+            matrix, side, back, variance = self.normal_equations(simulated, chosen)
+            matrix += np.diag(1.0 / prior**2)
+            side -= distance(theta) / prior
+            scale, accepted = np.diag(matrix), False
+            at_bound = ((theta[chosen] <= low) & (side < 0.0)) | ((theta[chosen] >= high) & (side > 0.0))
+            moving = np.flatnonzero(~at_bound)
+            for _ in range(8):
+                step = np.zeros(len(chosen))
+                inner = matrix + damping * np.diag(scale)
+                step[moving] = np.linalg.solve(inner[np.ix_(moving, moving)], side[moving])
+                new = theta.copy()
+                new[chosen] = np.clip(theta[chosen] + step, low, high)
+                step = new[chosen] - theta[chosen]
+                z = [
+                    states if solved is None else states + solved[:, :, -1] - solved[:, :, :-1] @ step
+                    for states, solved in zip(self.z, back)
+                ]
+                trial = self.simulate(new, z, chosen)
+                new_loss = self.loss(trial, z, distance(new))
+                if new_loss < loss:
+                    accepted = True
+                    break
+                damping = max(10.0 * damping, 1e-6)
+            if not accepted:
+                break
+            theta, self.z, simulated, damping = new, z, trial, max(0.1 * damping, 1e-12)
+            progress(f"iteration {iteration + 1}: loss {new_loss:.1f}")
+            settled = (np.abs(step) < 0.02 * np.sqrt(1.0 / scale)).all()
+            if (settled or loss - new_loss < 1e-4 * loss) and iteration >= (6 if adapt else 2):
+                break
+        self.loss_value = self.loss(simulated, self.z, distance(theta))
+        matrix, *_ = self.normal_equations(simulated, chosen)
+        return theta, np.linalg.inv(matrix + np.diag(1.0 / prior**2))
+
+    def adapt(self, simulated: list[tuple], variance: np.ndarray) -> None:
+        """Spread and correlation time of the errors, and spread of the accelerations, from what they are now."""
+        parts = [m - y for (y, _), m in zip(simulated, self.measured) if m is not None]
+        errors = np.concatenate(parts)
+        robust = np.maximum(1.4826 * np.median(np.abs(errors), axis=(0, 2)), LEAST_SIGMA)
+        step = EVERY * self.dt
+        bounded = np.clip(errors, -HUBER * robust[:, None], HUBER * robust[:, None])
+        power = (bounded**2).mean(axis=(0, 2))
+        # errors with short tails, as of rounding, spread less than their median says
+        self.sigma = np.maximum(np.minimum(robust, np.sqrt(power)), LEAST_SIGMA)
+        total = np.ones(3)
+        positive = np.ones(3, dtype=bool)
+        for lag in range(1, errors.shape[2] // 2):
+            correlation = (bounded[:, :, lag:] * bounded[:, :, :-lag]).mean(axis=(0, 2)) / power
+            positive &= correlation > 0.0  # Geyer's initial positive sequence
+            total += np.where(positive, 2.0 * correlation, 0.0)
+        self.correlation_time = step * total
+        offsets = np.concatenate([states[:, 6:] for states in self.z])
+        self.spread = np.clip(np.sqrt((offsets**2).mean(axis=0) + variance), LEAST_SPREAD, 1.0)
+
+
+def window_starts(log: FlightLog, share: float, n: int) -> np.ndarray:
+    """First samples of the windows of n steps that follow each other in the first share of a log, all airborne."""
+    on_ground = np.concatenate(([0], np.cumsum(~log.airborne())))
+    last, k, starts = int(share * len(log)) - n - 1, 0, []
+    while k <= last:
+        if on_ground[k + n + 1] == on_ground[k]:
+            starts.append(k)
+            k += n
+        else:
+            k += max(n // 40, 1)
+    return np.array(starts, dtype=int)

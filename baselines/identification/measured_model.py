@@ -1,0 +1,288 @@
+"""Equation (3) with the effects of real rigs, as a function of one vector of parameters; compiled, with dual numbers.
+
+All kernels compute with dual numbers (complex ones with infinitesimal imaginary parts), so that each serves the values
+and their exact derivatives: by parameters, by the initial state, by offsets.
+"""
+
+import math
+from collections.abc import Callable
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from heli_gym.baselines.paper.jacobian import STEP, dual_cos, dual_sin
+from heli_gym.compilation import jit_cached
+from heli_gym.model import dynamics, rk4_step
+from heli_gym.parameters import HelicopterParameters
+
+LEVER = 0.27  # arm of a rotor about the pitch axis, over that about the elevation axis; so on all known rigs
+
+
+class MeasuredParameters(NamedTuple):
+    """What the motion of a real rig depends on; the first nine are the coefficients of (3).
+
+    The defaults are about the middle of identified rigs, and a start of the search.
+    """
+
+    a1: Any = -1.2  # rad/s²
+    a2: Any = 0.8  # rad/s²
+    a3: Any = -0.5  # rad/s²
+    b1: Any = -0.4  # rad/s² per unit of thrust, which is one rotor's in hover
+    b2: Any = -0.4  # the same, on elevation
+    b3: Any = 2.5  # the same, on pitch
+    c1: Any = 0.1  # 1/s
+    c2: Any = 0.2  # 1/s
+    c3: Any = 0.2  # 1/s
+    exponent: Any = 1.9  # of the thrust in the rotor's voltage
+    reverse: Any = 0.3  # thrust backwards, as a share of that forwards
+    mismatch: Any = 0.0  # front rotor stronger by this share, back rotor weaker
+    lag: Any = 0.1  # s
+    delay: Any = 0.02  # s
+    pitch_zero: Any = 0.0  # rad, measured pitch at which the thrusts do not accelerate travel
+    pitch_trim: Any = 0.0  # rad/s², on pitch
+    voltage_limit: Any = 1000.0  # V, of the amplifier, on both sides
+    centrifugal: Any = 1.0  # on elevation by the square of the travel rate, with its Coriolis moment on travel
+    centre: Any = 0.0  # rad, elevation at which that vanishes
+    pitch_spin: Any = 1.0  # centrifugal moment of the body on pitch
+    gyro: Any = 0.0  # 1/s, gyroscopic moment of the rotors on pitch, by the rates of elevation and travel
+    pitch_speed: Any = 0.0  # 1/rad, on pitch by the square of the travel rate, with its sign
+
+
+NAMES = MeasuredParameters._fields
+
+
+def measured_dynamics(x: Any, f: Any, p: Any, offsets: Any) -> tuple:
+    """Time derivative of the state x (6,) under the thrusts f (front, back); offsets (3,) in rad/s².
+
+    To (3) come, of the rigid body in `heli_gym.rigid_body`, the centrifugal and Coriolis moments of the arm and of the
+    body; the gyroscopic moment of rotors that turn the same way round, with its reaction on the arm, so that it does no
+    work; and the moment of the airflow on pitch.
+    """
+    q1, dq1, q2, dq2, q3, dq3 = x
+    tilt = q3 - p.pitch_zero
+    table = HelicopterParameters(0.0, 0.0, p.a1, p.a2, p.a3, p.b1, p.b2, p.b3, p.c1, p.c2, p.c3)
+    _, ddq1, _, ddq2, _, ddq3 = dynamics(
+        (q1, dq1, q2, dq2, tilt, dq3), (f[0] + f[1], f[0] - f[1]), table, dual_sin, dual_cos
+    )
+    sine, cosine = dual_sin(tilt), dual_cos(tilt)
+    speed = dq1 if dq1.real > 0 else -dq1
+    reaction = p.gyro * LEVER * p.b2 / p.b3 * dq3  # gyroscopic moments do no work
+    up, along = dual_sin(q2 - p.centre), dual_cos(q2 - p.centre)
+    ddq1 = ddq1 + 2.0 * p.centrifugal * up / along * dq1 * dq2 + reaction * sine
+    ddq2 = ddq2 - p.centrifugal * up * along * dq1 * dq1 + reaction * cosine
+    ddq3 = ddq3 + p.pitch_trim + p.pitch_speed * speed * dq1
+    ddq3 = ddq3 - p.pitch_spin * sine * cosine * (dq1 * dq1 - dq2 * dq2) + p.gyro * (dq2 * cosine + dq1 * sine)
+    return dq1, ddq1 + offsets[0], dq2, ddq2 + offsets[1], dq3, ddq3 + offsets[2]
+
+
+def dual_power(w: Any, exponent: Any) -> Any:
+    """|w|^exponent for dual numbers."""
+    size = max(abs(w.real), 1e-9)
+    value = math.exp(exponent.real * math.log(size))
+    slope = exponent.real * value / size * (w.imag if w.real > 0 else -w.imag) + math.log(size) * value * exponent.imag
+    return complex(value, slope)
+
+
+def clip(u: float, limit: Any) -> Any:
+    """The voltage within the amplifier's limits on both sides."""
+    return limit if u > limit.real else -limit if u < -limit.real else u + 0j
+
+
+def rotor_thrust(w: Any, p: Any, voltage: float) -> Any:
+    """Thrust of a rotor at the lagged voltage w, in units of that at `voltage`."""
+    f = dual_power(w / voltage, p.exponent)
+    return f if w.real > 0 else -p.reverse * f
+
+
+def dual_exp(z: Any) -> Any:
+    """Exponential of a dual number."""
+    value = math.exp(z.real)
+    return complex(value, value * z.imag)
+
+
+@cache
+def thrust_kernel() -> Callable:
+    """Compiled: fill in the thrusts f (2, 2 K + 1) of the commanded voltages u (2, K), at the half steps."""
+
+    def fill_thrusts(u, theta, dt, voltage, f):
+        p = unpack(theta)
+        n = int(p.delay.real / dt)
+        share = p.delay / dt - n
+        half, whole = dual_exp(-0.5 * dt / p.lag), dual_exp(-dt / p.lag)
+        for i in range(2):
+            gain = 1.0 + p.mismatch if i == 0 else 1.0 - p.mismatch
+            w = u[i, 0] + 0.0j
+            for k in range(u.shape[1]):
+                now, before = clip(u[i, max(k - n, 0)], p.voltage_limit), clip(u[i, max(k - n - 1, 0)], p.voltage_limit)
+                command = (1.0 - share) * now + share * before
+                f[i, 2 * k] = gain * rotor_thrust(w, p, voltage)
+                f[i, 2 * k + 1] = gain * rotor_thrust(command + (w - command) * half, p, voltage)
+                w = command + (w - command) * whole
+            f[i, 2 * u.shape[1]] = gain * rotor_thrust(w, p, voltage)
+
+    return jit_cached(fill_thrusts)
+
+
+def unpack(theta: Any) -> Any:
+    """The parameters out of their vector."""
+    return MeasuredParameters(
+        theta[0], theta[1], theta[2], theta[3], theta[4], theta[5], theta[6], theta[7], theta[8], theta[9], theta[10],
+        theta[11], theta[12], theta[13], theta[14], theta[15], theta[16], theta[17], theta[18], theta[19], theta[20],
+        theta[21],
+    )  # fmt: skip
+
+
+def flow(x: Any, f: Any, k: int, dt: float, p: Any, offsets: Any) -> Any:
+    """State one sample after sample k."""
+    inputs = (f[0, 2 * k], f[1, 2 * k]), (f[0, 2 * k + 1], f[1, 2 * k + 1]), (f[0, 2 * k + 2], f[1, 2 * k + 2])
+    return rk4_step(measured_dynamics, x, inputs, dt, p, offsets)
+
+
+@cache
+def simulation_kernel() -> Callable:
+    """Compiled: fill in the states y (6, n + 1) from z (9,), the state and offsets at sample k, under thrusts f."""
+
+    def simulate(z, f, k, dt, theta, y):
+        p = unpack(theta)
+        x = (z[0], z[1], z[2], z[3], z[4], z[5])
+        offsets = (z[6], z[7], z[8])
+        for j in range(6):
+            y[j, 0] = x[j]
+        for i in range(y.shape[1] - 1):
+            x = flow(x, f, k + i, dt, p, offsets)
+            for j in range(6):
+                y[j, i + 1] = x[j]
+
+    return jit_cached(simulate)
+
+
+@cache
+def sensitivity_kernel() -> Callable:
+    """Compiled: angles y (W, 3, n + 1) over windows, and their derivatives by initial states, offsets and parameters.
+
+    starts (W,) are samples, z (W, 9) states and offsets there; df (P, 2, 2 K + 1) are thrusts whose imaginary parts are
+    the derivatives by the chosen parameters; dy is (W, 9 + P, 3, n + 1).
+    """
+
+    def simulate_windows(z, starts, df, dt, theta, chosen, y, dy):
+        n = y.shape[2] - 1
+        dual = np.empty(9, dtype=np.complex128)
+        moved = theta.copy()
+        for w in range(len(starts)):
+            for j in range(9 + len(chosen)):
+                for i in range(9):
+                    dual[i] = complex(z[w, i], STEP if i == j else 0.0)
+                which = max(j - 9, 0)
+                if j >= 9:
+                    moved[chosen[which]] = complex(theta[chosen[which]].real, STEP)
+                p = unpack(moved)
+                f = df[which if j >= 9 else len(chosen)]
+                x = (dual[0], dual[1], dual[2], dual[3], dual[4], dual[5])
+                offsets = (dual[6], dual[7], dual[8])
+                for i in range(n + 1):
+                    for axis in range(3):
+                        dy[w, j, axis, i] = x[2 * axis].imag / STEP
+                        if j == 0:
+                            y[w, axis, i] = x[2 * axis].real
+                    if i < n:
+                        x = flow(x, f, starts[w] + i, dt, p, offsets)
+                if j >= 9:
+                    moved[chosen[which]] = theta[chosen[which]].real + 0.0j
+
+    return jit_cached(simulate_windows)
+
+
+N = 12  # the filter's state: angles and rates, offsets that fade, offsets that stay
+
+
+@cache
+def filter_kernel() -> Callable:
+    """Compiled: extended Kalman filter on the angles (3, K); fill in estimates z (12, K) and innovations e (3, K).
+
+    The state is that of (3), accelerations (3,) that fade by the factors decay (3,) per sample, and accelerations (3,)
+    that stay. q (12,) are the variances that it gains per second, r (3,) those of the measurements; P (12, 12) is the
+    first covariance and then the last. z is given at the sample `first`.
+    """
+
+    def run_filter(angles, f, dt, theta, q, r, decay, z, e, P, first, last):
+        p = unpack(theta)
+        F = np.zeros((N, N))
+        A = np.empty((N, N))
+        dual = np.empty(9, dtype=np.complex128)
+        for i in range(6, N):
+            F[i, i] = decay[i - 6] if i < 9 else 1.0
+        for k in range(first, last):
+            if k > first:
+                for j in range(9):
+                    for i in range(9):
+                        value = z[i, k - 1] if i < 6 else z[i, k - 1] + z[i + 3, k - 1]
+                        dual[i] = complex(value, STEP if i == j else 0.0)
+                    x = (dual[0], dual[1], dual[2], dual[3], dual[4], dual[5])
+                    x = flow(x, f, k - 1, dt, p, (dual[6], dual[7], dual[8]))
+                    for i in range(6):
+                        F[i, j] = x[i].imag / STEP
+                        if j >= 6:
+                            F[i, j + 3] = F[i, j]
+                        if j == 0:
+                            z[i, k] = x[i].real
+                for i in range(6, N):
+                    z[i, k] = F[i, i] * z[i, k - 1]
+                for i in range(N):
+                    for j in range(N):
+                        total = 0.0
+                        for m in range(N):
+                            total += F[i, m] * P[m, j]
+                        A[i, j] = total
+                for i in range(N):
+                    for j in range(N):
+                        total = q[i] * dt if i == j else 0.0
+                        for m in range(N):
+                            total += A[i, m] * F[j, m]
+                        P[i, j] = total
+            for axis in range(3):
+                row = 2 * axis
+                error = angles[axis, k] - z[row, k]
+                variance = P[row, row] + r[axis]
+                e[axis, k] = error
+                for i in range(N):
+                    A[0, i] = P[i, row] / variance
+                    A[1, i] = P[row, i]
+                for i in range(N):
+                    z[i, k] += A[0, i] * error
+                    for j in range(N):
+                        P[i, j] -= A[0, i] * A[1, j]
+
+    return jit_cached(run_filter)
+
+
+@cache
+def prediction_kernel() -> Callable:
+    """Compiled: fill in the angles y (S, 3, n + 1) predicted from the estimates z (12, K) at samples starts (S,)."""
+
+    def predict(z, starts, f, dt, theta, decay, y):
+        p = unpack(theta)
+        for s in range(len(starts)):
+            k = starts[s]
+            x = (z[0, k] + 0j, z[1, k] + 0j, z[2, k] + 0j, z[3, k] + 0j, z[4, k] + 0j, z[5, k] + 0j)
+            fading = (z[6, k] + 0j, z[7, k] + 0j, z[8, k] + 0j)
+            for i in range(y.shape[2]):
+                for axis in range(3):
+                    y[s, axis, i] = x[2 * axis].real
+                if i < y.shape[2] - 1:
+                    offsets = (fading[0] + z[9, k], fading[1] + z[10, k], fading[2] + z[11, k])
+                    x = flow(x, f, k + i, dt, p, offsets)
+                    fading = (fading[0] * decay[0], fading[1] * decay[1], fading[2] * decay[2])
+
+    return jit_cached(predict)
+
+
+def dual_thrusts(theta: np.ndarray, voltages: np.ndarray, dt: float, voltage: float, chosen: np.ndarray) -> np.ndarray:
+    """Thrusts (P + 1, 2, 2 K + 1) with the derivatives by the chosen parameters as imaginary parts; the last plain."""
+    f = np.empty((len(chosen) + 1, 2, 2 * voltages.shape[1] + 1), dtype=complex)
+    for i in range(len(chosen) + 1):
+        moved = theta.astype(complex)
+        if i < len(chosen):
+            moved[chosen[i]] += 1j * STEP
+        thrust_kernel()(voltages, moved, dt, voltage, f[i])
+    return f

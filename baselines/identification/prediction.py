@@ -1,0 +1,373 @@
+"""How well a model predicts: windows that were not fitted, from a present state that is estimated from the past only.
+
+At the start of a window, an extended Kalman filter on the identified model has seen the angles up to then. It also
+estimates accelerations that the model lacks: some that fade within a second or so, some that stay. Within the window,
+the voltages are known, as they are for the black box.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.signal import savgol_coeffs
+
+from heli_gym.baselines.identification.estimation import Identification
+from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog
+from heli_gym.baselines.identification.measured_model import N, dual_thrusts, filter_kernel, prediction_kernel
+
+HORIZONS = (1.0, 3.0)  # s
+BETWEEN_STARTS = 0.1  # s
+HISTORY = 0.6  # s, airborne, before a window starts
+POLYNOMIAL = 0.21  # s, over which the plain predictors take rates and accelerations
+MOVING = np.radians(2.0)  # rad, range of an axis in the part that is judged, below which ratios say nothing
+PAST, AHEAD, STEP = 0.4, 1.0, 0.05  # s, of the voltages that the black box sees
+RIDGES = 10.0 ** np.arange(-3.0, 2.1, 1.0)  # weights to choose from, relative to the number of windows
+FOLDS = 5
+
+
+class Settings(NamedTuple):
+    """The filter's settings, (3,) each for travel, elevation and pitch.
+
+    Decimal logarithms: of the variances that rates, fading and lasting accelerations gain per second (in rad, s), and
+    of the time in s in which the former fade. The defaults are the best on the fitted shares of measured flights.
+    """
+
+    rates: np.ndarray = np.array([-4.0, -4.0, -3.0])
+    fading: np.ndarray = np.array([-2.5, -2.5, -2.0])
+    times: np.ndarray = np.array([-0.3, -0.5, -0.3])
+    lasting: np.ndarray = np.array([-3.5, -3.5, -3.5])
+
+
+BOUNDS = Settings(rates=(-7.0, 1.0), fading=(-7.0, 1.0), times=(-1.0, 1.5), lasting=(-7.0, 0.0))  # type: ignore
+STEPS = (1.0, 0.5)  # of the search for settings
+GAIN = 0.01  # of the logarithm of the error, for which a setting is moved
+
+
+class FilteredLog:
+    """A log, and the estimates of the filter on it."""
+
+    def __init__(self, log: FlightLog, model: Identification, settings: Settings = Settings()) -> None:
+        self.log, self.model, self.settings = log, model, settings
+        self.theta = model.theta.astype(complex)
+        self.f = dual_thrusts(model.theta, log.voltages, log.sample_time, model.hover_voltage, np.arange(0))[0]
+        dt, airborne = log.sample_time, log.airborne()
+        self.first = int(np.argmax(airborne))
+        self.decay = np.exp(-dt / 10.0**settings.times)
+        q = np.zeros(N)
+        q[1:6:2], q[6:9], q[9:] = 10.0**settings.rates, 10.0**settings.fading, 10.0**settings.lasting
+        counts = np.array(model.start.encoder_counts)
+        r = 4.0 * (2.0 * math.pi / counts) ** 2 / 12.0  # twice the spread of rounding to one count
+        self.z, self.innovations = np.zeros((N, len(log))), np.zeros((3, len(log)))
+        self.z[0:6:2, self.first] = log.angles[:, self.first]
+        self.z[1:6:2, self.first] = polynomial_ends(log)[0][:, self.first]
+        P = np.diag([1e-6, 0.05, 1e-6, 0.05, 1e-6, 0.1, 0.01, 0.01, 0.05, 0.02, 0.02, 0.1])
+        filter_kernel()(
+            log.angles, self.f, dt, self.theta, q, r, self.decay, self.z, self.innovations, P, self.first, len(log)
+        )
+
+    def predict(self, starts: np.ndarray, n: int) -> np.ndarray:
+        """Angles (S, 3, n + 1) in rad from the samples starts (S,) on."""
+        y = np.empty((len(starts), 3, n + 1))
+        prediction_kernel()(self.z, starts, self.f, self.log.sample_time, self.theta, self.decay, y)
+        return y
+
+
+def polynomial_ends(log: FlightLog) -> tuple[np.ndarray, np.ndarray]:
+    """Rates and accelerations (3, K) at the end of quadratics through the last 0.2 s: causal."""
+    n = 2 * max(round(POLYNOMIAL / log.sample_time / 2.0), 1) + 1
+    padded = np.concatenate((np.repeat(log.angles[:, :1], n - 1, axis=1), log.angles), axis=1)
+    windows = np.lib.stride_tricks.sliding_window_view(padded, n, axis=1)
+    rate, acceleration = (
+        windows @ savgol_coeffs(n, 2, pos=n - 1, deriv=order, delta=log.sample_time, use="dot") for order in (1, 2)
+    )
+    return rate, acceleration
+
+
+def horizon_starts(
+    log: FlightLog, share: tuple[float, float], horizon: float, between: float = BETWEEN_STARTS
+) -> np.ndarray:
+    """First samples (S,) of windows of a horizon in s, within a share of the log, airborne from before to the end."""
+    n, step = round(horizon / log.sample_time), max(round(between / log.sample_time), 1)
+    history, count = round(HISTORY / log.sample_time), len(log)
+    on_ground = np.concatenate(([0], np.cumsum(~log.airborne())))
+    first = math.ceil(share[0] * count)
+    k = np.arange(first, min(count, math.floor(share[1] * count)) - n, step)
+    k = k[k >= history]
+    return k[on_ground[k + n + 1] == on_ground[k - history]]
+
+
+def errors_at(log: FlightLog, starts: np.ndarray, n: int, predicted: np.ndarray) -> np.ndarray:
+    """Errors (3, S) in rad of angles (3, S) predicted n samples ahead."""
+    return log.angles[:, starts + n] - predicted
+
+
+def constant_rate(log: FlightLog, starts: np.ndarray, horizon: float) -> np.ndarray:
+    """Angles (3, S) if rates stay as they are."""
+    return log.angles[:, starts] + horizon * polynomial_ends(log)[0][:, starts]
+
+
+def constant_acceleration(log: FlightLog, starts: np.ndarray, horizon: float) -> np.ndarray:
+    """Angles (3, S) if accelerations stay as they are."""
+    rate, acceleration = polynomial_ends(log)
+    return log.angles[:, starts] + horizon * rate[:, starts] + 0.5 * horizon**2 * acceleration[:, starts]
+
+
+def voltage_features(log: FlightLog, starts: np.ndarray) -> np.ndarray:
+    """Mean voltages (S, 56) over 50 ms each, from 0.4 s before the start to 1 s after."""
+    step = max(round(STEP / log.sample_time), 1)
+    integral = np.concatenate((np.zeros((2, 1)), np.cumsum(log.voltages, axis=1)), axis=1)
+    offsets = np.arange(-round(PAST / log.sample_time), round(AHEAD / log.sample_time), step)
+    k = np.clip(starts[:, None] + offsets, 0, len(log) - step)
+    return ((integral[:, k + step] - integral[:, k]) / step).transpose(1, 0, 2).reshape(len(starts), -1)
+
+
+def state_features(log: FlightLog, starts: np.ndarray) -> np.ndarray:
+    """Present angles, but for travel, whose zero means nothing, and rates (S, 5)."""
+    return np.concatenate((log.angles[1:, starts], polynomial_ends(log)[0][:, starts])).T
+
+
+class Ridge:
+    """Ridge regression of three targets, the weight of each by cross-validation over blocks in time.
+
+    Args:
+        X: (S, F) features, in the order of time.
+        Y: (S, 3) targets.
+        gap: windows that overlap, which are left out between what is fitted and what is judged.
+    """
+
+    def __init__(self, X: np.ndarray, Y: np.ndarray, gap: int) -> None:
+        errors = np.zeros((len(RIDGES), 3))
+        folds = np.arange(len(X)) * FOLDS // max(len(X), 1)
+        for fold in range(FOLDS):
+            judged = np.flatnonzero(folds == fold)
+            if not len(judged):
+                continue
+            fitted = np.ones(len(X), dtype=bool)
+            fitted[max(judged[0] - gap, 0) : judged[-1] + gap + 1] = False
+            if fitted.sum() < 10:
+                continue
+            for i, weight in enumerate(RIDGES):
+                guess = self.solve(X[fitted], Y[fitted], weight)(X[judged])
+                errors[i] += ((Y[judged] - guess) ** 2).sum(axis=0)
+        best = errors.argmin(axis=0)
+        models = {i: self.solve(X, Y, RIDGES[i]) for i in set(best.tolist())}
+        self.best, self.models = best, models
+
+    @staticmethod
+    def solve(X: np.ndarray, Y: np.ndarray, weight: float) -> Callable[[np.ndarray], np.ndarray]:
+        """The regression with one weight."""
+        mean, spread, middle = X.mean(axis=0), X.std(axis=0) + 1e-9, Y.mean(axis=0)
+        A = (X - mean) / spread
+        coefficients = np.linalg.solve(A.T @ A + weight * len(X) * np.eye(A.shape[1]), A.T @ (Y - middle))
+        return lambda features: (features - mean) / spread @ coefficients + middle
+
+    def __call__(self, X: np.ndarray) -> np.ndarray:
+        """Targets (3, S) at the features X (S, F)."""
+        guesses = {i: model(X) for i, model in self.models.items()}
+        return np.array([guesses[i][:, axis] for axis, i in enumerate(self.best.tolist())])
+
+
+def black_box(log: FlightLog, fit_share: float, horizon: float, starts: np.ndarray) -> np.ndarray | None:
+    """Angles (3, S) that ridge regression predicts; None if the fitted share has too few windows.
+
+    From the present angles and rates and the voltages of 0.4 s before to 1 s after; fitted on the first share of the
+    same log, with its deviation from constant rate as the target.
+    """
+    n, between = round(horizon / log.sample_time), 0.02
+    fitted = horizon_starts(log, (0.0, fit_share), horizon, between)
+    if len(fitted) < 50:
+        return None
+    target = errors_at(log, fitted, n, constant_rate(log, fitted, horizon)).T
+    both = [np.concatenate((state_features(log, k), voltage_features(log, k)), axis=1) for k in (fitted, starts)]
+    return constant_rate(log, starts, horizon) + Ridge(both[0], target, round(horizon / between))(both[1])
+
+
+def tune(logs: Sequence[FlightLog], model: Identification, start: Settings = Settings()) -> Settings:
+    """Settings of the filter that predict best at 1 s over the fitted shares, by a search that starts at the defaults.
+
+    Each axis has its own settings, and moves on its own.
+    """
+
+    def criterion(settings: Settings) -> np.ndarray:
+        rows = []
+        for log in logs:
+            k = horizon_starts(log, (0.0, model.fit_share), 1.0)
+            if len(k):
+                n = round(1.0 / log.sample_time)
+                error = errors_at(log, k, n, FilteredLog(log, model, settings).predict(k, n)[:, :, n].T)
+                rows.append(np.log(rms(error) + 1e-4))
+        return np.mean(rows, axis=0) if rows else np.zeros(3)
+
+    settings, best = start, criterion(start)
+    for step in STEPS:
+        for name in Settings._fields:
+            low, high = getattr(BOUNDS, name)
+            for sign in (1.0, -1.0):
+                for _ in range(3):
+                    values = np.clip(
+                        getattr(settings, name) + sign * step * (0.5 if name == "times" else 1.0), low, high
+                    )
+                    found = criterion(settings._replace(**{name: values}))
+                    better = found < best - GAIN
+                    if not better.any():
+                        break
+                    settings = settings._replace(**{name: np.where(better, values, getattr(settings, name))})
+                    best = criterion(settings)
+    return settings
+
+
+def rms(errors: np.ndarray) -> np.ndarray:
+    """Root mean square (3,) of errors (3, S)."""
+    return np.sqrt((errors**2).mean(axis=1))
+
+
+@dataclass(frozen=True, eq=False)
+class Validation:
+    """Errors of predictors on the windows of one log that were not fitted.
+
+    Attributes:
+        name: of the log.
+        moved: (3,) rad, range of the angles in the judged part.
+        rms: by horizon in s and predictor, (3,) rad.
+        windows: number of windows by horizon.
+        whiteness: (3,) autocorrelation of the filter's innovations at one sample, white ones would have 0.
+        settled: (3,) time in s after which the innovations' autocorrelation is below 0.2.
+    """
+
+    name: str
+    moved: np.ndarray
+    rms: dict[float, dict[str, np.ndarray]]
+    windows: dict[float, int]
+    whiteness: np.ndarray
+    settled: np.ndarray
+
+
+def validate(
+    logs: Sequence[FlightLog], model: Identification, settings: Settings, horizons: Sequence[float] = HORIZONS
+) -> list[Validation]:
+    """Errors of the model and of the plain predictors, log by log, after the fitted share."""
+    result = []
+    for log in logs:
+        filtered = FilteredLog(log, model, settings)
+        share = (model.fit_share, 1.0)
+        judged = log.angles[:, math.ceil(model.fit_share * len(log)) :]
+        moved = np.ptp(judged, axis=1) if judged.shape[1] else np.zeros(3)
+        tables: dict[float, dict[str, np.ndarray]] = {}
+        counts = {}
+        for horizon in horizons:
+            k, n = horizon_starts(log, share, horizon), round(horizon / log.sample_time)
+            counts[horizon] = len(k)
+            if not len(k):
+                continue
+            predictors = {
+                "constant rate": constant_rate(log, k, horizon),
+                "constant acceleration": constant_acceleration(log, k, horizon),
+                "black box": black_box(log, model.fit_share, horizon, k),
+                "model": filtered.predict(k, n)[:, :, n].T,
+            }
+            tables[horizon] = {
+                name: rms(errors_at(log, k, n, angles)) for name, angles in predictors.items() if angles is not None
+            }
+        result.append(Validation(log.name, moved, tables, counts, *whiteness(filtered)))
+    return result
+
+
+def whiteness(filtered: FilteredLog) -> tuple[np.ndarray, np.ndarray]:
+    """Autocorrelation (3,) of the innovations at one sample, and the time (3,) in s after which it is below 0.2."""
+    e = filtered.innovations[:, filtered.first + round(1.0 / filtered.log.sample_time) :]
+    e = e - e.mean(axis=1, keepdims=True)
+    power = (e**2).mean(axis=1)
+    lags = range(1, min(200, e.shape[1] - 1))
+    r = np.array([(e[:, lag:] * e[:, :-lag]).mean(axis=1) / power for lag in lags])
+    below = np.abs(r) < 0.2
+    return r[0], (1.0 + below.argmax(axis=0)) * filtered.log.sample_time
+
+
+def report(
+    logs: Sequence[FlightLog], model: Identification, validations: Sequence[Validation], rig: dict[str, Any]
+) -> dict[str, Any]:
+    """What `heli-identify --json` writes: RMS errors in degrees over all logs' windows that were not fitted.
+
+    Windows of all logs count alike. `prediction` is the model's; the other predictors, and each log by itself, follow.
+    """
+    prediction: dict[str, Any] = {}
+    for axis, name in enumerate(ANGLES):
+        prediction[name] = {}
+        for horizon in HORIZONS:
+            table = {
+                predictor: pooled(validations, horizon, predictor)[axis]
+                for predictor in ("model", "constant rate", "constant acceleration", "black box")
+            }
+            prediction[name][f"{horizon:.1f}"] = {
+                "rms_deg": table["model"],
+                "constant_rate_rms_deg": table["constant rate"],
+                "constant_acceleration_rms_deg": table["constant acceleration"],
+                "black_box_rms_deg": table["black box"],
+            }
+    errors = model.standard_errors
+    return {
+        "prediction": prediction,
+        "plant": {
+            **{name: float(value) for name, value in model.parameters._asdict().items()},
+            "hover_voltage": model.hover_voltage,
+            "thrust_unit": model.thrust_unit,
+        },
+        "standard_errors": errors,
+        "correlations": {"names": list(model.free), "matrix": model.correlations.round(4).tolist()},
+        "undetermined": list(model.undetermined),
+        "rig": rig,
+        "logs": {
+            v.name: {
+                "moved_deg": np.degrees(v.moved).tolist(),
+                "windows": {f"{h:.1f}": count for h, count in v.windows.items()},
+                "rms_deg": {
+                    f"{h:.1f}": {name: np.degrees(values).tolist() for name, values in table.items()}
+                    for h, table in v.rms.items()
+                },
+                "innovation_autocorrelation": v.whiteness.tolist(),
+                "innovation_correlation_time": v.settled.tolist(),
+            }
+            for v in validations
+        },
+        "fit_share": model.fit_share,
+    }
+
+
+def pooled(validations: Sequence[Validation], horizon: float, predictor: str) -> list[float | None]:
+    """RMS error in degrees of each axis over all windows of all logs; None without windows."""
+    total, count = np.zeros(3), 0
+    for v in validations:
+        values = v.rms.get(horizon, {}).get(predictor)
+        if values is not None:
+            total += v.windows[horizon] * values**2
+            count += v.windows[horizon]
+    return np.degrees(np.sqrt(total / count)).tolist() if count else [None, None, None]
+
+
+def verdicts(validations: Sequence[Validation]) -> list[str]:
+    """In words, axis by axis, how well the model predicts 1 s ahead, over the logs in which the axis moves."""
+    lines = []
+    for axis, name in enumerate(ANGLES):
+        moving = [v for v in validations if v.moved[axis] > MOVING and 1.0 in v.rms]
+        if not moving:
+            lines.append(f"{name}: moves by less than 2° in the judged part; nothing can be said")
+            continue
+        ratios = [v.rms[1.0]["model"][axis] / v.rms[1.0]["constant rate"][axis] for v in moving]
+        boxes = [v.rms[1.0]["model"][axis] / v.rms[1.0].get("black box", np.full(3, np.inf))[axis] for v in moving]
+        ratio, box = float(np.median(ratios)), float(np.median(boxes))
+        settled = float(np.median([v.settled[axis] for v in moving]))
+        word = (
+            "well predicted"
+            if ratio <= (0.2, 0.4, 0.3)[axis]
+            else "fairly predicted"
+            if ratio < 0.7
+            else "not predicted"
+        )
+        lines.append(
+            f"{name}: {word}: {ratio:.2f} of the constant rate's error at 1 s, "
+            f"{f'{box:.2f} of the black box' + chr(39) + 's' if box else 'no black box'}; innovations correlated over "
+            f"{settled:.2f} s"
+        )
+    return lines

@@ -1,0 +1,192 @@
+"""Rigs that are known are found again, within the errors that are stated; predictions beat plain ones."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from heli_gym import HelicopterParameters
+from heli_gym.baselines.commands import identify as command
+from heli_gym.baselines.identification.estimation import EFFECTS, identify
+from heli_gym.baselines.identification.flight_log import FlightLog
+from heli_gym.baselines.identification.measured_model import MeasuredParameters
+from heli_gym.baselines.identification.prediction import FilteredLog, Settings, horizon_starts, pooled, validate
+from heli_gym.baselines.identification.simulated import hover_of, random_rig, simulate_log, square_waves
+from heli_gym.rig import Rig
+
+LOGS = Path(__file__).parents[4] / "shared" / "logs"
+
+
+def standardised(parameters, voltage, model):
+    """Errors in standard errors; the true coefficients in the unit of thrust of the model."""
+    unit = (model.hover_voltage / voltage) ** parameters.exponent
+    true = parameters._replace(b1=parameters.b1 * unit, b2=parameters.b2 * unit, b3=parameters.b3 * unit)
+    return {
+        name: (getattr(model.parameters, name) - getattr(true, name)) / error
+        for name, error in model.standard_errors.items()
+    }
+
+
+@pytest.fixture(scope="module")
+def known():
+    rng = np.random.default_rng(5)
+    parameters, voltage = random_rig(rng)
+    return parameters, voltage, simulate_log(parameters, voltage, square_waves(), 30.0, rng=rng)
+
+
+@pytest.fixture(scope="module")
+def model(known):
+    return identify([known[2]], fit_share=0.6)
+
+
+def test_the_simulated_rig_hovers_where_it_should(known):
+    parameters, voltage, _ = known
+    log = simulate_log(parameters, voltage, lambda t: (parameters.pitch_zero, 0.0), 10.0)
+    assert np.abs(np.degrees(log.angles[1:, -200:] - [[0.0], [parameters.pitch_zero]])).max() < 3.0
+    np.testing.assert_allclose(log.voltages[:, -400:].mean(axis=1), hover_of(parameters, voltage), rtol=0.03)
+
+
+def test_a_known_rig_comes_back_within_its_errors(known, model):
+    errors = np.array(list(standardised(known[0], known[1], model).values()))
+    assert len(errors) >= 18
+    assert np.abs(errors).max() < 4.0
+    assert (np.abs(errors) < 1.96).mean() > 0.8
+
+
+@pytest.mark.slow
+def test_of_the_95_percent_intervals_on_100_simulated_logs_90_to_99_percent_hold():
+    rng, errors = np.random.default_rng(11), []
+    for _ in range(100):
+        parameters, voltage = random_rig(rng)
+        log = simulate_log(parameters, voltage, square_waves(), 40.0, rng=rng)
+        errors += standardised(parameters, voltage, identify([log], fit_share=1.0)).values()
+    assert 0.90 < (np.abs(errors) < 1.96).mean() < 0.99
+
+
+def test_an_amplifiers_limit_is_found(known):
+    parameters, voltage, _ = known
+    limited = parameters._replace(voltage_limit=1.45 * voltage)
+    log = simulate_log(limited, voltage, square_waves(0.5, 0.25), 30.0)
+    assert (np.abs(log.voltages) > limited.voltage_limit).mean() > 0.002
+    found = identify([log], fit_share=1.0)
+    assert found.parameters.voltage_limit == pytest.approx(limited.voltage_limit, rel=0.02)
+
+
+def test_what_hover_does_not_show_is_named_and_kept(known):
+    parameters, voltage, _ = known
+    log = simulate_log(parameters, voltage, lambda t: (0.0, 0.0), 12.0)
+    found = identify([log], fit_share=1.0)
+    assert {"gyro", "centrifugal"} & set(found.undetermined)
+    for name in found.undetermined:
+        assert getattr(found.parameters, name) == getattr(MeasuredParameters(), name)
+        assert name not in found.standard_errors
+
+
+def test_outliers_change_little(known, model):
+    log = known[2]
+    angles = log.angles.copy()
+    angles[:, 700:1500:97] += 0.5
+    found = identify([FlightLog(log.t, angles, log.voltages)], fit_share=0.6)
+    for name, error in model.standard_errors.items():
+        change = abs(getattr(found.parameters, name) - getattr(model.parameters, name))
+        assert change < 12.0 * error + 0.02 * abs(getattr(model.parameters, name))
+
+
+def test_two_logs_of_one_rig_say_more_than_one(known, model):
+    parameters, voltage, log = known
+    second = simulate_log(parameters, voltage, square_waves(-0.25, 0.1), 30.0)
+    both = identify([log, second], fit_share=0.6)
+    smaller = [both.standard_errors[name] < error for name, error in model.standard_errors.items()]
+    assert np.mean(smaller) > 0.9
+
+
+def test_the_rig_hovers_at_the_voltages_of_the_flight(known, model):
+    parameters, voltage, _ = known
+    rig = model.rig("found")
+    np.testing.assert_allclose(rig.hover_voltage(), hover_of(parameters, voltage), rtol=0.03)
+    assert Rig.from_toml(rig.to_toml()) == rig
+    assert rig.parameters.b2 * rig.thrust(rig.hover_voltage()).sum() == pytest.approx(-rig.parameters.a2)
+
+
+def test_thrusts_have_the_scale_of_the_start(known):
+    heavy = Rig("heavy", HelicopterParameters(b1=-0.3, b2=-0.3, b3=2.3), voltage_limits=(0.0, 20.0))
+    one, other = (identify([known[2]], start).rig("x") for start in ("paper", heavy))
+    ratio = one.parameters.b3 / other.parameters.b3
+    assert ratio == pytest.approx(0.6523 / 0.3, rel=1e-3)
+    np.testing.assert_allclose(one.hover_voltage(), other.hover_voltage(), rtol=1e-3)
+
+
+def test_the_model_predicts_better_than_the_plain_predictors(known, model):
+    v = validate([known[2]], model, Settings())
+    for horizon in (1.0, 3.0):
+        plain, own = pooled(v, horizon, "constant rate"), pooled(v, horizon, "model")
+        assert all(a < 0.25 * b for a, b in zip(own, plain))
+    assert all(a < b for a, b in zip(pooled(v, 1.0, "model"), pooled(v, 1.0, "black box")))
+
+
+def test_judged_windows_lie_after_the_fitted_share_and_in_the_air():
+    t = np.arange(3000) * 0.01
+    elevation = np.where((t > 1.0) & (t < 25.0), 0.0, 0.5)
+    log = FlightLog(t, np.array([t, elevation, t]), np.ones((2, 3000)))
+    starts = horizon_starts(log, (0.6, 1.0), 1.0)
+    assert t[starts].min() >= 18.0
+    assert t[starts].max() < 24.0
+
+
+def test_predictions_do_not_use_what_comes_later(known, model):
+    log = known[2]
+    angles = log.angles.copy()
+    angles[:, 2000:] += 1.0
+    later = FlightLog(log.t, angles, log.voltages)
+    k = np.array([1500, 1999])
+    one, other = (FilteredLog(each, model).predict(k, 100) for each in (log, later))
+    np.testing.assert_array_equal(one, other)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"logs": []}, "logs: must be at least one"),
+        ({"fit_share": 0.0}, "fit_share = 0.0: must be"),
+        ({"fit_share": 0.05}, "at least three airborne windows"),
+        ({"effects": ("magic",)}, "effects: 'magic' must be one of trim"),
+        ({"start": "nowhere"}, "rig = 'nowhere'"),
+    ],
+)
+def test_bad_arguments_are_refused(known, arguments, message):
+    with pytest.raises(ValueError, match=message):
+        identify(**({"logs": [known[2]]} | arguments))
+
+
+def test_an_effect_that_is_left_out_has_no_influence(known):
+    found = identify([known[2]], effects=[name for name in EFFECTS if name != "gyro"])
+    assert found.parameters.gyro == 0.0
+    assert "gyro" not in found.free
+
+
+def test_the_command_writes_rig_report_and_pictures(known, tmp_path, capsys):
+    known[2].save(tmp_path / "flight.csv")
+    args = command.Args(
+        (tmp_path / "flight.csv",), out=tmp_path / "mine.toml", json=tmp_path / "r.json", figures=tmp_path, quiet=True
+    )
+    command.main(args)
+    assert Rig.load(tmp_path / "mine.toml").name == "mine"
+    report = json.loads((tmp_path / "r.json").read_text())
+    for axis in ("travel", "elevation", "pitch"):
+        for horizon in ("1.0", "3.0"):
+            entry = report["prediction"][axis][horizon]
+            assert entry["rms_deg"] < entry["constant_rate_rms_deg"]
+    assert report["plant"]["b3"] > 0.0
+    assert (tmp_path / "flight.png").is_file()
+    assert "well predicted" in capsys.readouterr().out
+
+
+@pytest.mark.skipif(not LOGS.is_dir(), reason="no measured logs")
+def test_on_measured_flights_the_axes_that_move_are_predicted_better_than_by_the_black_box():
+    logs = [FlightLog.load(LOGS / f"ntnu-f-{i}.csv") for i in (1, 3)]
+    found = identify(logs)
+    v = validate(logs, found, Settings(), (1.0,))
+    own, box = pooled(v, 1.0, "model"), pooled(v, 1.0, "black box")
+    assert all(a < b for a, b in zip(own, box))
+    assert found.parameters.centrifugal == pytest.approx(1.0, abs=0.1)
