@@ -17,9 +17,11 @@ from numpy.typing import ArrayLike
 
 from heli_gym import task
 from heli_gym.notebook import Picture
-from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters
+from heli_gym.on_rig import plant_on_rig, reference_on_rig, rig_to_fly
+from heli_gym.parameters import HelicopterParameters
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer, RenderState
+from heli_gym.rig import PAPER, Rig, same_dynamics
 from heli_gym.simulation.kernels import ARRIVED, CRASHED, ENDED_OFF_GOAL, FLYING, NOT_FINITE, one_step
 from heli_gym.simulation.layout import COMMAND, LAST, MEASURED, N_OUTPUTS_SENSED, REFERENCE_ROW, STEP, TIME, X
 from heli_gym.simulation.simulation import Simulation
@@ -74,6 +76,11 @@ def find_reference(reference: str | Trajectory | Sampler) -> Trajectory | Sample
 def _check_duration(name: Any, reference: Trajectory) -> None:
     if reference.duration > LONGEST:
         raise ValueError(f"reference = {name!r}: must take at most {LONGEST:g} s, not {reference.duration:g} s")
+
+
+def is_packaged(reference: object) -> bool:
+    """Whether a reference is given by the name of a packaged one."""
+    return isinstance(reference, str) and not reference.endswith(".npz")
 
 
 class Heli3DOFEnv(gym.Env):
@@ -186,10 +193,13 @@ class Heli3DOFEnv(gym.Env):
       episode: a callable that takes the episode's random generator, with a `duration` in s that none it draws exceeds,
       such as `baselines.ManeuverSampler`. What is flown now is the attribute `reference`.
     - `control_period`: seconds between actions, 0.0001 to 0.05. The paper's is 0.001.
-    - `pitch_limit`: rad, where the flight ends.
-    - `voltage_limits`: V, the amplifier's (min, max).
+    - `pitch_limit`: rad, where the flight ends; the rig's by default.
+    - `voltage_limits`: V, the amplifier's (min, max); the rig's by default.
     - `start_spread_deg`: degrees, see Starting State.
     - `random_start`: whether episodes start at a random time of the maneuver, rather than at its start.
+    - `rig`: "paper", "quanser", "ntnu", the path of a .toml file, or a `heli_gym.Rig`: whose coefficients and thrust map
+      the plants fly that have none of their own. A packaged reference is planned anew for it where it cannot fly it; a
+      plan for another rig is refused. By default the paper's.
     - `render_mode`: "human" for a window, in real time; "rgb_array" for pictures. Both need `heli-gym[render]`.
 
     All are plain values, so that a spec survives JSON, or objects. Bad ones raise a `ValueError` that names them, an
@@ -209,31 +219,36 @@ class Heli3DOFEnv(gym.Env):
         plant: str | Plant = "nominal",
         reference: str | Trajectory | Sampler = "travel-360",
         control_period: float = 0.02,
-        pitch_limit: float = PITCH_STOP,
-        voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS,
+        pitch_limit: float | None = None,
+        voltage_limits: tuple[float, float] | None = None,
         start_spread_deg: float = 0.0,
         random_start: bool = False,
         render_mode: str | None = None,
+        rig: str | Rig | None = None,
     ) -> None:
         if render_mode not in (None, *self.metadata["render_modes"]):
             raise ValueError(f"render_mode = {render_mode!r}: must be None, 'human' or 'rgb_array'")
         self.render_mode = render_mode
         self.renderer: Renderer | None = None
-        self.plant = find_plant(plant)
-        self.source = find_reference(reference)
+        self.plant, self.source = find_plant(plant), find_reference(reference)
+        self.rig = rig_to_fly(rig, self.plant, self.source)
+        self.plant = plant_on_rig(self.plant, self.rig)
+        self.source = reference_on_rig(self.source, self.rig, is_packaged(reference))
         self.control_period = _number("control_period", control_period, "s", *PERIODS)
         self.metadata = {**self.metadata, "render_fps": round(1.0 / self.control_period)}
         x = self.source.x if isinstance(self.source, Trajectory) else np.zeros((6, 1))
         steepest = float(np.abs(x[4]).max())
-        self.pitch_limit = _number("pitch_limit", pitch_limit, "rad", steepest, np.pi / 2)
-        self.voltage_limits = _pair("voltage_limits", voltage_limits)
+        self.pitch_limit = _number(
+            "pitch_limit", self.rig.pitch_limit if pitch_limit is None else pitch_limit, "rad", steepest, np.pi / 2
+        )
+        self.voltage_limits = _pair("voltage_limits", self.rig.voltage_limits if voltage_limits is None else voltage_limits)
         room = np.degrees(min(self.pitch_limit - abs(x[4, 0]), task.FARTHEST_START[0]))
         self.start_spread_deg = _number("start_spread_deg", start_spread_deg, "deg", 0.0, room)
 
         if not isinstance(random_start, bool | np.bool_):
             raise ValueError(f"random_start = {random_start!r}: must be True or False")
         self.random_start = bool(random_start)
-        self.hover_voltage = task.hover_voltage(design_parameters(self.plant), self.voltage_limits)
+        self.hover_voltage = hover_voltage(self.plant, self.rig, self.voltage_limits)
         self.own_simulation = self.simulation = self._simulation(self.plant)
         low, high = task.observation_bounds()
         self.observation_space = Box(low.astype(np.float32), high.astype(np.float32), dtype=np.float32)
@@ -250,7 +265,7 @@ class Heli3DOFEnv(gym.Env):
         """
         options = checked_options(options, ("state", "plant"))
         generator, own_seed = (self.np_random, self.np_random_seed) if seed is None else seeded(seed)
-        plant = self.plant if options["plant"] is None else find_plant(options["plant"])
+        plant = self.plant if options["plant"] is None else plant_on_rig(options["plant"], self.rig)
         simulation = self.own_simulation if plant is self.plant else self._simulation(plant)
         with undone_on_error(simulation, [generator]):
             state = self._start(options["state"], simulation.draw(0, generator))
@@ -378,6 +393,13 @@ class Heli3DOFEnv(gym.Env):
                 f"reference's start {nominal} and with the pitch within {self.pitch_limit:g} rad"
             )
         return np.array([state])
+
+
+def hover_voltage(plant: Plant, rig: Rig, voltage_limits: tuple[float, float]) -> np.ndarray:
+    """Voltages (2,) in V of the action zero: hover of the rig, or of a plant with coefficients of its own."""
+    if same_dynamics(rig, PAPER):
+        return task.hover_voltage(design_parameters(plant), voltage_limits)
+    return task.within_limits(rig.hover_voltage(), voltage_limits)
 
 
 def design_parameters(plant: Plant) -> HelicopterParameters:

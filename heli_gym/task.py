@@ -54,9 +54,14 @@ def hover_voltage(parameters: HelicopterParameters, voltage_limits: tuple[float,
 
     The middle of the amplifier's limits where hover is not within them, by a margin.
     """
-    low, high = voltage_limits
     with np.errstate(divide="ignore", invalid="ignore"):
         u = voltage(np.array(fan_thrusts(hover_input(0.0, parameters))), parameters)
+    return within_limits(u, voltage_limits)
+
+
+def within_limits(u: Any, voltage_limits: tuple[float, float]) -> np.ndarray:
+    """Voltages that are within the amplifier's limits by a margin; the middle of these where they are not."""
+    low, high = voltage_limits
     margin = HOVER_MARGIN * (high - low)
     return np.where((low + margin <= u) & (u <= high - margin), u, 0.5 * (low + high))
 

@@ -16,17 +16,18 @@ from heli_gym.env import (
     Heli3DOFEnv,
     SeedError,
     checked_options,
-    design_parameters,
     find_reference,
+    is_packaged,
     real_array,
     render_state,
     seeded,
     undone_on_error,
     with_episode_steps,
 )
-from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP
+from heli_gym.on_rig import plant_on_rig, reference_on_rig, rig_to_fly
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer
+from heli_gym.rig import Rig
 from heli_gym.simulation.kernels import NOT_FINITE
 from heli_gym.simulation.layout import COMMAND, COST, MEASURED, REWARD, SUCCEEDED, TERMINATED, TIME, TRUNCATED, X
 from heli_gym.simulation.simulation import Simulation
@@ -61,14 +62,15 @@ class Heli3DOFVectorEnv(VectorEnv):
         plant: str | Plant | Sequence[str | Plant] = "nominal",
         reference: str | Trajectory | Sampler | Sequence[str | Trajectory | Sampler] = "travel-360",
         control_period: float = 0.02,
-        pitch_limit: float = PITCH_STOP,
-        voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS,
+        pitch_limit: float | None = None,
+        voltage_limits: tuple[float, float] | None = None,
         start_spread_deg: float = 0.0,
         random_start: bool = False,
         render_mode: str | None = None,
         autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
         max_episode_steps: int | None = None,
         dtype: str = "float64",
+        rig: str | Rig | None = None,
     ) -> None:
         num_envs = _count("num_envs", num_envs)
         self.max_steps = None if max_episode_steps is None else _count("max_episode_steps", max_episode_steps)
@@ -85,12 +87,23 @@ class Heli3DOFVectorEnv(VectorEnv):
         references = broadcast_to_envs("reference", reference, num_envs, find_reference)
 
         # One environment for each combination checks the arguments.
-        combinations = {(id(p), id(r)): (p, r) for p, r in zip(plants, references)}
-        singles = [
-            Heli3DOFEnv(*combination, control_period, pitch_limit, voltage_limits, start_spread_deg, random_start)
-            for combination in combinations.values()
-        ]
-        single = singles[0]
+        named = broadcast_to_envs("reference", reference, num_envs, is_packaged)
+        rigs = [rig_to_fly(rig, p, r) for p, r in zip(plants, references)]
+        tracked = {
+            (id(r), n, own): reference_on_rig(r, own, n) for r, n, own in zip(references, named, rigs)
+        }  # each planned anew once
+        references = [tracked[id(r), n, own] for r, n, own in zip(references, named, rigs)]
+        combinations = {(id(p), id(r)): (p, r, own) for p, r, own in zip(plants, references, rigs)}
+        singles = {
+            key: Heli3DOFEnv(
+                p, r, control_period, pitch_limit, voltage_limits, start_spread_deg, random_start, rig=own
+            )
+            for key, (p, r, own) in combinations.items()
+        }
+        each = [singles[id(p), id(r)] for p, r in zip(plants, references)]
+        plants, references = [env.plant for env in each], [env.source for env in each]
+        single = each[0]
+        self.rig = single.rig
         self.control_period, self.pitch_limit = single.control_period, single.pitch_limit
         self.voltage_limits = single.voltage_limits
         self.start_spread_deg, self.random_start = single.start_spread_deg, single.random_start
@@ -101,8 +114,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         self.action_space = batch_space(self.single_action_space, num_envs)
 
         self.plants, self.references = plants, references
-        hovers = [task.hover_voltage(design_parameters(one), self.voltage_limits) for one in plants]
-        self.hover_voltage = np.array(hovers).T  # (2, N), in V
+        self.hover_voltage = np.array([env.hover_voltage for env in each]).T  # (2, N), in V
         self.own_simulation = self.simulation = self._simulation(plants)
         self.has_begun = False
         self.everyone = np.arange(num_envs)
@@ -114,6 +126,9 @@ class Heli3DOFVectorEnv(VectorEnv):
         self.flown = np.zeros(num_envs, int)  # steps of the present flights, where their number has a limit
         self.renderer: Renderer | None = None
         self._spec: EnvSpec | None = None
+
+    def _on_rig(self, plant: str | Plant) -> Plant:
+        return plant_on_rig(plant, self.rig)
 
     def reset(
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
@@ -143,7 +158,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         simulation = self.simulation
         if known["plant"] is not None:
             simulation = self._simulation(
-                broadcast_to_envs("options['plant']", known["plant"], self.num_envs, find_plant)
+                broadcast_to_envs("options['plant']", known["plant"], self.num_envs, self._on_rig)
             )
         elif mask.all():
             simulation = self.own_simulation

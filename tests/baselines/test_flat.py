@@ -8,7 +8,8 @@ from independent import replay
 from numpy.testing import assert_allclose
 
 from heli_gym import Maneuver
-from heli_gym.baselines.planning.flat import RISE, flat_trajectory
+from heli_gym.baselines.planning.flat import flat_trajectory
+from heli_gym.flatness import RISE
 
 CASES = [Maneuver(duration=12.0), Maneuver((1.0, -0.1), (-2.0, 0.2), 9.0), Maneuver(goal=(0.0, 0.15), duration=5.0)]
 
