@@ -197,9 +197,9 @@ class Heli3DOFEnv(gym.Env):
     - `voltage_limits`: V, the amplifier's (min, max); the rig's by default.
     - `start_spread_deg`: degrees, see Starting State.
     - `random_start`: whether episodes start at a random time of the maneuver, rather than at its start.
-    - `rig`: "paper", "quanser", "ntnu", the path of a .toml file, or a `heli_gym.Rig`: whose coefficients and thrust map
-      the plants fly that have none of their own. A packaged reference is planned anew for it where it cannot fly it; a
-      plan for another rig is refused. By default the paper's.
+    - `rig`: "paper" (the default), "quanser", "ntnu", the path of a .toml file, or a `heli_gym.Rig`, whose coefficients
+      and thrust map the plants fly that have none of their own. A packaged reference is planned anew for a rig that
+      cannot fly it; a plan for another rig is refused.
     - `render_mode`: "human" for a window, in real time; "rgb_array" for pictures. Both need `heli-gym[render]`.
 
     All are plain values, so that a spec survives JSON, or objects. Bad ones raise a `ValueError` that names them, an
@@ -238,10 +238,11 @@ class Heli3DOFEnv(gym.Env):
         self.metadata = {**self.metadata, "render_fps": round(1.0 / self.control_period)}
         x = self.source.x if isinstance(self.source, Trajectory) else np.zeros((6, 1))
         steepest = float(np.abs(x[4]).max())
-        self.pitch_limit = _number(
-            "pitch_limit", self.rig.pitch_limit if pitch_limit is None else pitch_limit, "rad", steepest, np.pi / 2
+        stop = self.rig.pitch_limit if pitch_limit is None else pitch_limit
+        self.pitch_limit = _number("pitch_limit", stop, "rad", steepest, np.pi / 2)
+        self.voltage_limits = _pair(
+            "voltage_limits", self.rig.voltage_limits if voltage_limits is None else voltage_limits
         )
-        self.voltage_limits = _pair("voltage_limits", self.rig.voltage_limits if voltage_limits is None else voltage_limits)
         room = np.degrees(min(self.pitch_limit - abs(x[4, 0]), task.FARTHEST_START[0]))
         self.start_spread_deg = _number("start_spread_deg", start_spread_deg, "deg", 0.0, room)
 

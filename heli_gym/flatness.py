@@ -5,6 +5,7 @@ determines v2, by (3c).
 """
 
 from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 from numpy.polynomial import Polynomial
@@ -62,7 +63,7 @@ def replanned(reference: Trajectory, rig: Rig) -> Trajectory:
         return slowed(shape_of(reference.t, x), reference.duration, rig)
     legs = [
         slowed(rise_between(x[0::2, a], x[0::2, b]), float(reference.t[b] - reference.t[a]), rig)
-        for a, b in zip(resting[:-1], resting[1:])
+        for a, b in pairwise(resting)
     ]
     whole = legs[0]
     for leg in legs[1:]:

@@ -27,7 +27,10 @@ def plant_on_rig(plant: str | Plant, rig: Rig) -> Plant:
     if not rig.thrust_map.is_quadratic and found.thrust_map is None:
         changes["thrust_map"] = rig.thrust_map
     if found is PLANTS["rigid"]:
-        bodies = tuple(solve_rigid_body(variant, rig.parameters)._replace(kappa=DRAG_RATIO) for variant in VARIANTS)
+        try:
+            bodies = tuple(solve_rigid_body(variant, rig.parameters)._replace(kappa=DRAG_RATIO) for variant in VARIANTS)
+        except ValueError as error:
+            raise ValueError(f"plant = 'rigid': must be another on the rig {rig.name!r}, of whose {error}") from error
         changes["rig"] = OneOf(bodies)
         # the rigid body does not know the friction in (3)
         changes["friction"] = Friction(

@@ -95,9 +95,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         references = [tracked[id(r), n, own] for r, n, own in zip(references, named, rigs)]
         combinations = {(id(p), id(r)): (p, r, own) for p, r, own in zip(plants, references, rigs)}
         singles = {
-            key: Heli3DOFEnv(
-                p, r, control_period, pitch_limit, voltage_limits, start_spread_deg, random_start, rig=own
-            )
+            key: Heli3DOFEnv(p, r, control_period, pitch_limit, voltage_limits, start_spread_deg, random_start, rig=own)
             for key, (p, r, own) in combinations.items()
         }
         each = [singles[id(p), id(r)] for p, r in zip(plants, references)]

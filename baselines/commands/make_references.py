@@ -16,10 +16,10 @@ from rich.console import Console
 from scipy.interpolate import make_lsq_spline
 from scipy.optimize import brentq
 
-from heli_gym.flatness import invert_motion
 from heli_gym.baselines.planning.planner import plan
 from heli_gym.cli import command, parse
 from heli_gym.env import REFERENCES
+from heli_gym.flatness import invert_motion
 from heli_gym.model import dynamics
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.rig import PAPER

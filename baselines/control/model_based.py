@@ -106,6 +106,11 @@ class ModelPolicy(StatefulPolicy):
     memory: Memory | None = field(default=None, init=False, repr=False)
 
     @property
+    def rig(self) -> Rig:
+        """Rig that the policy assumes, which `fly` checks."""
+        return self.regulator.rig
+
+    @property
     def x(self) -> np.ndarray:
         """States (6, K + 1) of the reference on the control grid."""
         return self.regulator.x

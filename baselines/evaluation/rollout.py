@@ -7,6 +7,7 @@ import numpy as np
 
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.env import Heli3DOFEnv
+from heli_gym.rig import UNNAMED, Rig, check_same_rig
 from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
@@ -54,7 +55,7 @@ def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str
         over = terminated or truncated
     t = core.control_period * np.arange(len(states))
     u = np.array([*voltages, voltages[-1]])
-    return Trajectory(t, np.array(states).T, u.T, core.reference.limits)
+    return Trajectory(t, np.array(states).T, u.T, core.reference.limits, core.rig)
 
 
 def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Trajectory]:
@@ -91,7 +92,9 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
         flown[terminated] = np.minimum(flown[terminated], k + 1)
     t = envs.control_period * np.arange(steps + 1)
     return [
-        Trajectory(t[: n + 1], states[: n + 1, :, i].T, voltages[[*range(n), n - 1], :, i].T, reference.limits)
+        Trajectory(
+            t[: n + 1], states[: n + 1, :, i].T, voltages[[*range(n), n - 1], :, i].T, reference.limits, envs.rig
+        )
         for i, n in enumerate(flown)
     ]
 
@@ -112,6 +115,9 @@ def check_policy(policy: Policy, env: Heli3DOFEnv | Heli3DOFVectorEnv, reference
             f"{name} an amplifier of {low:g} to {high:g} V, and env's gives "
             f"{env.voltage_limits[0]:g} to {env.voltage_limits[1]:g} V"
         )
+    rig = getattr(policy, "rig", None)
+    if isinstance(rig, Rig) and rig.name != UNNAMED:
+        check_same_rig(f"policy: this {type(policy).__name__}", rig, env.rig, "env's")
     states = getattr(policy, "reference_states", None)
     if states is not None:
         x, _ = control_grid(reference, env.control_period)

@@ -1,10 +1,11 @@
-"""The flat method: one polynomial for both flat outputs of (3), from which all else follows; see `heli_gym.flatness`."""
+"""The flat method: one polynomial for both flat outputs of (3), from which all else follows; `heli_gym.flatness`."""
 
 import numpy as np
 
 from heli_gym.baselines.paper.boundary_value import sample_times
 from heli_gym.flatness import RISE, invert_motion
 from heli_gym.trajectory import Maneuver, Trajectory
+
 
 def flat_trajectory(maneuver: Maneuver) -> Trajectory | None:
     """Both flat outputs by one polynomial; None if it would take a negative thrust sum, whatever the limits are."""

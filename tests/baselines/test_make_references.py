@@ -18,8 +18,8 @@ from heli_gym.baselines.commands.make_references import (
     resampled,
 )
 from heli_gym.baselines.evaluation.metrics import flight_metrics
-from heli_gym.flatness import invert_motion
 from heli_gym.env import REFERENCES, Heli3DOFEnv, find_reference
+from heli_gym.flatness import invert_motion
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.rig import PAPER
 
