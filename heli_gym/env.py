@@ -197,10 +197,10 @@ class Heli3DOFEnv(gym.Env):
     - `voltage_limits`: V, the amplifier's (min, max); the rig's by default.
     - `start_spread_deg`: degrees, see Starting State.
     - `random_start`: whether episodes start at a random time of the maneuver, rather than at its start.
+    - `render_mode`: "human" for a window, in real time; "rgb_array" for pictures. Both need `heli-gym[render]`.
     - `rig`: "paper" (the default), "quanser", "ntnu", the path of a .toml file, or a `heli_gym.Rig`, whose coefficients
       and thrust map the plants fly that have none of their own. A packaged reference is planned anew for a rig that
       cannot fly it; a plan for another rig is refused.
-    - `render_mode`: "human" for a window, in real time; "rgb_array" for pictures. Both need `heli-gym[render]`.
 
     All are plain values, so that a spec survives JSON, or objects. Bad ones raise a `ValueError` that names them, an
     unknown one a `TypeError`.
