@@ -624,7 +624,7 @@ def test_an_unknown_argument_is_a_type_error_as_pythons_own(make, name):
     [
         ("plant", ["nominal"]),
         ("control_period", "fast"),
-        ("pitch_limit", None),
+        ("pitch_limit", "steep"),
         ("voltage_limits", ("low", "high")),
         ("start_spread_deg", "5"),
     ],
