@@ -121,8 +121,8 @@ class Heli3DOFEnv(gym.Env):
     | 0   | front fan, `u_f` | -1  | 1   | 0 V           | 7.893 V      | 12 V         |
     | 1   | back fan, `u_b`  | -1  | 1   | 0 V           | 7.893 V      | 12 V         |
 
-    The rig is the plant's `parameters`, or Table I where episodes draw them. Where hover is not within the amplifier's
-    limits by a twentieth of their range, zero is the middle between them.
+    The rig is the argument `rig`, or a plant that has coefficients of its own. Where hover is not within the limits of
+    the amplifier by a twentieth of their range, zero is the middle between them.
 
     ## Observation Space
 

@@ -160,7 +160,9 @@ class Heli3DOFVectorEnv(VectorEnv):
             )
         elif mask.all():
             simulation = self.own_simulation
-        with undone_on_error(simulation, [] if fresh else generators):
+        # Without a state or a sampler, nothing that is drawn can be refused.
+        refusable = known["state"] is not None or not all(isinstance(one, Trajectory) for one in self.references)
+        with undone_on_error(simulation, generators if refusable and not fresh else []):
             starts = [simulation.draw(i, generator).x[:, 0] for i, generator in zip(chosen, generators)]
             states = self._states(known["state"], helicopters, np.array(starts))
         for i, (generator, own_seed) in fresh.items():

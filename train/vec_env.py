@@ -34,7 +34,16 @@ DRAWN = (
 
 
 # Attributes of `Heli3DOFEnv` that all helicopters of a vector environment share.
-SHARED = ("control_period", "voltage_limits", "pitch_limit", "start_spread_deg", "random_start", "render_mode", "spec")
+SHARED = (
+    "control_period",
+    "voltage_limits",
+    "pitch_limit",
+    "start_spread_deg",
+    "random_start",
+    "render_mode",
+    "spec",
+    "rig",
+)
 
 
 class HeliVecEnv(VecEnv):

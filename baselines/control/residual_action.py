@@ -6,6 +6,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import gymnasium as gym
@@ -44,11 +45,11 @@ def check_authority(authority: Any) -> float:
     return float(value)
 
 
-def policy_maker(policy: str | PolicyMaker, voltage_limits: tuple[float, float]) -> PolicyMaker:
+def policy_maker(policy: str | PolicyMaker, core: Heli3DOFEnv | Heli3DOFVectorEnv) -> PolicyMaker:
     """What makes the base policy for a reference, given its name or the maker itself."""
     if callable(policy):
         return policy
-    return lambda reference, period: make_policy(policy, reference, period, voltage_limits=voltage_limits)
+    return partial(make_policy, policy, voltage_limits=core.voltage_limits, rig=core.rig)
 
 
 class ResidualAction(gym.Wrapper, gym.utils.RecordConstructorArgs):
@@ -60,8 +61,8 @@ class ResidualAction(gym.Wrapper, gym.utils.RecordConstructorArgs):
 
     Args:
         env: a Heli3DOF environment, wrapped or not, whose observations are flat.
-        policy: the name of a policy of `make_policy`, which assumes Table I, or a maker of policies: a function of the
-            reference and the control period in s.
+        policy: the name of a policy of `make_policy`, for the environment's rig, or a maker of policies: a function of
+            the reference and the control period in s.
         authority: V, the greatest correction.
 
     Raises:
@@ -75,7 +76,7 @@ class ResidualAction(gym.Wrapper, gym.utils.RecordConstructorArgs):
         if not isinstance(core, Heli3DOFEnv):
             raise ValueError(f"env = {env!r}: must be a Heli3DOF environment; VectorResidualAction is for many at once")
         self.core, self.authority = core, check_authority(authority)
-        self.make_base = policy_maker(policy, core.voltage_limits)
+        self.make_base = policy_maker(policy, core)
         self.base: Policy | None = None
         self.made_for: Trajectory | None = None
         if isinstance(core.source, Trajectory):
@@ -149,7 +150,7 @@ class VectorResidualAction(VectorWrapper):
         if not isinstance(core, Heli3DOFVectorEnv):
             raise ValueError(f"env = {env!r}: must be a native Heli3DOF vector environment")
         self.core, self.authority = core, check_authority(authority)
-        self.make_base = policy_maker(policy, core.voltage_limits)
+        self.make_base = policy_maker(policy, core)
         self.groups = self._grouped()
         self.single_observation_space = observation_space_with_base(env.single_observation_space)
         self.observation_space = batch_space(self.single_observation_space, core.num_envs)

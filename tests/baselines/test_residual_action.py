@@ -167,3 +167,16 @@ def test_helicopters_that_are_reset_by_hand_begin_anew_and_the_others_fly_on():
         assert_allclose(after[1], observation, atol=1e-6)
         after, *_ = envs.step(np.zeros((3, 2)))
         observation, *_ = alone.step(np.zeros(2))
+
+
+@pytest.mark.parametrize("rig", ["quanser", "ntnu"])
+def test_the_base_is_made_for_the_rig_of_the_environment(rig):
+    arguments = {"rig": rig, "reference": "climb-7.5"}
+    env = ResidualAction(gym.make("Heli3DOF-v0", **arguments))
+    steps = flight(env, 0, np.zeros(2, np.float32))
+    assert steps[-1][1]["is_success"]
+    envs = VectorResidualAction(gym.make_vec("Heli3DOF-v0", 2, **arguments))
+    envs.reset(seed=0)
+    for _ in range(len(steps) - 1):
+        *_, info = envs.step(np.zeros((2, 2)))
+    assert info["is_success"].all()

@@ -397,7 +397,7 @@ def test_observations_of_flights_that_follow_their_reference_are_of_order_one(pl
 
 
 def test_the_estimated_rates_of_coarse_encoders_stay_in_the_observation_space():
-    coarse = Plant(sensors=Sensors(counts=(256,) * 3, rate_filter=1e-6))
+    coarse = Plant(sensors=Sensors(counts=(256,) * 3, rate_filter=1e-3))
     env = Heli3DOFEnv(coarse, control_period=1e-4)
     flight = episode(env, 0, [(0.3, -0.3)] * 10000)
     assert all(step[0] in env.observation_space for step in flight)

@@ -99,7 +99,7 @@ def test_attributes_and_methods_are_those_of_single_environments():
     for vec in (ours, theirs):
         vec.seed(1)
         vec.reset()
-    for name in ("plant", "drawn_plant", "control_period", "voltage_limits", "pitch_limit", "np_random_seed"):
+    for name in ("plant", "drawn_plant", "control_period", "voltage_limits", "pitch_limit", "np_random_seed", "rig"):
         assert ours.get_attr(name) == theirs.get_attr(name), name
     assert_array_equal(ours.get_attr("reference")[0].x, theirs.get_attr("reference")[0].x)
     assert ours.get_attr("plant", [1]) == [PLANTS["lab"]]
