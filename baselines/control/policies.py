@@ -10,12 +10,15 @@ from functools import partial
 from numbers import Real
 from typing import Any
 
+from heli_gym.baselines.control.cascade import flatness, pd_cascade
 from heli_gym.baselines.control.constant import middle_voltage, zero
 from heli_gym.baselines.control.discrete_lqr import Weights
+from heli_gym.baselines.control.l1_adaptive import l1_adaptive
 from heli_gym.baselines.control.model_based import kalman_lqr, lag_lqi, lag_lqr, lqi
 from heli_gym.baselines.control.predictive import adaptive_lqr, adaptive_mpc, nmpc
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.residual import LEARNED, learned_policy
+from heli_gym.baselines.control.scheduled import gain_scheduled
 from heli_gym.baselines.control.tracking import feedforward_tvlqr, hover_lqr, open_loop
 from heli_gym.baselines.control.weights import WEIGHTS, weights_of
 from heli_gym.parameters import HelicopterParameters
@@ -38,6 +41,10 @@ POLICIES: dict[str, Callable[..., Policy]] = {
     "adaptive-lqr": adaptive_lqr,
     "adaptive-mpc": adaptive_mpc,
     "nmpc": nmpc,
+    "l1-adaptive": l1_adaptive,
+    "gain-scheduled": gain_scheduled,
+    "flatness": flatness,
+    "pd-cascade": pd_cascade,
     "residual": partial(stored, LEARNED / "lab"),
     "residual-rigid": partial(stored, LEARNED / "rigid"),
     "hover-lqr": hover_lqr,

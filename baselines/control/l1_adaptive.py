@@ -1,0 +1,92 @@
+"""L1 adaptive augmentation of the lag-aware regulator: fast estimates of unknown accelerations, low-pass filtered."""
+
+import math
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from heli_gym.baselines.control.estimation import Actuator, nominal_actuator, predict
+from heli_gym.baselines.control.model_based import Regulator, make_regulator
+from heli_gym.baselines.control.protocol import StatefulPolicy, expand_batch_dims, step_index
+from heli_gym.baselines.control.weights import KALMAN_LQR, ObserverWeights
+from heli_gym.parameters import AMPLIFIER_LIMITS
+from heli_gym.rig import Rig
+from heli_gym.trajectory import Trajectory
+
+
+class L1Settings(NamedTuple):
+    """Tuning of the adaptive law."""
+
+    predictor: float = 5.0  # 1/s, pole of the state predictor
+    bandwidth: float = 2.0  # rad/s, of the low-pass filter between estimate and control
+    largest: float = 0.5  # rad/s², to which estimates are projected
+
+
+class Memory(NamedTuple):
+    """State of an `L1Policy` between control periods."""
+
+    rates: np.ndarray  # (3, ...) predicted; rad/s
+    filtered: np.ndarray  # (3, ...) estimated accelerations after the low-pass filter; rad/s²
+    rotors: np.ndarray  # (2, ...) simulated rotor speeds, as voltages; V
+    pending: tuple[np.ndarray, ...]  # (2, ...) each, commanded and not yet in effect; V
+
+
+@dataclass(eq=False)
+class L1Policy(StatefulPolicy):
+    """The regulator of `kalman-lqr` on the measured state, disturbances from the piecewise-constant adaptive law.
+
+    Xargay, Hovakimyan and Cao, "L1 adaptive controller for multi-input multi-output systems in the presence of
+    nonlinear unmatched uncertainties", ACC 2010: the estimate is what would cancel the predictor's error within one
+    control period; the low-pass filter keeps its high frequencies out of the control.
+    """
+
+    regulator: Regulator
+    actuator: Actuator
+    settings: L1Settings
+    control_period: float
+    voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
+    memory: Memory | None = field(default=None, init=False, repr=False)
+
+    @property
+    def reference_states(self) -> np.ndarray:
+        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        return self.regulator.x
+
+    def init(self, t: float | np.ndarray, measurement: np.ndarray) -> Memory:
+        """No disturbance, rotors at the reference's voltages."""
+        u = expand_batch_dims(self.regulator.u[:, self.index(t)], measurement) + np.zeros(measurement.shape[1:])
+        return Memory(measurement[1::2], np.zeros_like(measurement[1::2]), u, (u,) * self.actuator.delay)
+
+    def step(self, memory: Memory, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, Memory]:
+        dt, c = self.control_period, self.settings
+        decay = math.exp(-c.predictor * dt)
+        off = memory.rates - measurement[1::2]
+        sigma = np.clip(-c.predictor * decay / (1.0 - decay) * off, -c.largest, c.largest)
+        filtered = sigma + math.exp(-c.bandwidth * dt) * (memory.filtered - sigma)
+
+        later, rotors = measurement, memory.rotors
+        for u in memory.pending:
+            later, rotors = self.predict(later, rotors, u, filtered)
+        k = np.minimum(self.index(t) + self.actuator.delay, self.reference_states.shape[1] - 1)
+        u = self.regulator(k, later, rotors, filtered, None)
+        pending = (*memory.pending, np.clip(u, *self.voltage_limits))
+        x, rotors = self.predict(measurement, memory.rotors, pending[0], sigma)
+        return u, Memory(x[1::2] + decay * off, filtered, rotors, pending[1:])
+
+    def predict(self, x: Any, rotors: Any, u: Any, disturbance: Any) -> tuple[np.ndarray, np.ndarray]:
+        """State (6, ...) and rotor speeds (2, ...) a control period later."""
+        return predict(x, rotors, u, disturbance, self.control_period, self.actuator.lag, self.regulator.rig)
+
+    def index(self, t: Any) -> Any:
+        """Control period of the time t in s."""
+        return step_index(t, self.control_period, self.reference_states.shape[1] - 1)
+
+
+def l1_adaptive(
+    reference: Trajectory, control_period: float, rig: Rig, weights: ObserverWeights = KALMAN_LQR
+) -> L1Policy:
+    """The regulator of `kalman-lqr` with L1 estimates of the disturbances."""
+    actuator = nominal_actuator(rig, control_period)
+    regulator = make_regulator(reference, control_period, rig, weights, actuator.lag)
+    return L1Policy(regulator, actuator, L1Settings(), control_period, rig.voltage_limits)
