@@ -4,13 +4,14 @@ The continuous-time regulator of the paper is in `baselines/paper/tvlqr.py`; the
 Wittenmark, Computer-Controlled Systems, 3rd ed., Chapter 11), where a hold, a lag and an integral are only more states.
 """
 
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, fields
 from typing import NamedTuple
 
 import numpy as np
 from scipy.linalg import solve_discrete_are
 
 from heli_gym.baselines.control.estimation import discretise
+from heli_gym.baselines.control.protocol import is_finite
 from heli_gym.model import hover_input, linearise
 from heli_gym.parameters import HelicopterParameters
 
@@ -19,7 +20,11 @@ INTEGRATED = (0, 2)  # of (44): travel and elevation
 
 @dataclass(frozen=True)
 class Weights:
-    """The diagonals of Q and R in (49): per rad², (rad/s)² and N²."""
+    """The diagonals of Q and R in (49): per rad², (rad/s)² and N².
+
+    Raises ValueError, here and in subclasses, for a value that is not a finite number, at least 0, or, on the thrusts,
+    not more than 0.
+    """
 
     travel: float
     travel_rate: float
@@ -29,6 +34,13 @@ class Weights:
     pitch_rate: float
     thrust_sum: float
     thrust_difference: float
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            value, positive = getattr(self, item.name), item.name.startswith("thrust")
+            if not (is_finite(value) and value >= 0.0) or (positive and value == 0.0):
+                least = "more than 0" if positive else "at least 0"
+                raise ValueError(f"{item.name} = {value!r}: must be a finite number, {least}")
 
     @property
     def Q(self) -> np.ndarray:

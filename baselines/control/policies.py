@@ -4,10 +4,8 @@ To add a controller, write `my_controller(reference, control_period, rig) -> Pol
 and add one line to `POLICIES`; `heli-evaluate` and the tests of all policies then know it.
 """
 
-import math
 from collections.abc import Callable
 from functools import partial
-from numbers import Real
 from typing import Any
 
 from heli_gym.baselines.control.cascade import flatness, pd_cascade
@@ -16,7 +14,7 @@ from heli_gym.baselines.control.discrete_lqr import Weights
 from heli_gym.baselines.control.l1_adaptive import l1_adaptive
 from heli_gym.baselines.control.model_based import kalman_lqr, lag_lqi, lag_lqr, lqi
 from heli_gym.baselines.control.predictive import adaptive_lqr, adaptive_mpc, nmpc
-from heli_gym.baselines.control.protocol import Policy
+from heli_gym.baselines.control.protocol import Policy, is_finite
 from heli_gym.baselines.control.residual import LEARNED, learned_policy
 from heli_gym.baselines.control.scheduled import gain_scheduled
 from heli_gym.baselines.control.tracking import feedforward_tvlqr, hover_lqr, open_loop
@@ -56,14 +54,6 @@ POLICIES: dict[str, Callable[..., Policy]] = {
 def is_learned(name: str) -> bool:
     """Whether the policy of this name was learned, and so flies at the control period of its training only."""
     return name.startswith("residual") or name.endswith(".json")
-
-
-def is_finite(value: Any) -> bool:
-    """Whether the value is a real number that a float can hold."""
-    try:
-        return isinstance(value, Real) and math.isfinite(value)
-    except OverflowError:
-        return False
 
 
 def make_policy(

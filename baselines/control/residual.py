@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from heli_gym.baselines.control.model_based import ModelPolicy
-from heli_gym.baselines.control.protocol import Policy, StatefulPolicy, expand_batch_dims, step_index
+from heli_gym.baselines.control.protocol import Policy, StatefulPolicy, expand_batch_dims, is_finite, step_index
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.rig import PAPER, Rig, check_same_rig
 from heli_gym.storage import atomic_write
@@ -263,7 +263,58 @@ def save_learned(path: str | os.PathLike, settings: Learned, network: Network | 
     with atomic_write(path.with_suffix(".safetensors")) as file:
         file.write(data)
     with atomic_write(path.with_suffix(".json")) as file:
-        file.write((json.dumps({**asdict(settings), "sha256": sha256(data).hexdigest()}, indent=2) + "\n").encode())
+        digests = {"sha256": sha256(data).hexdigest(), "settings_sha256": settings_digest(settings)}
+        file.write((json.dumps({**asdict(settings), **digests}, indent=2) + "\n").encode())
+
+
+def settings_digest(settings: Learned) -> str:
+    """SHA-256 of all settings."""
+    return sha256(json.dumps(asdict(settings), sort_keys=True).encode()).hexdigest()
+
+
+def check_settings(called: str, settings: Learned, path: Path) -> None:
+    """Raise ValueError unless all settings of a stored policy make sense."""
+    s = settings
+
+    def require(name: str, allowed: bool, what: str) -> None:
+        if not allowed:
+            raise ValueError(f"{called}: {name} = {getattr(s, name)!r}: must be {what}")
+
+    def all_of(values: Any, kind: type, allowed: Callable = lambda value: True) -> bool:
+        return isinstance(values, tuple) and all(type(value) is kind and allowed(value) for value in values)
+
+    for name in ("base", "reference", "plant", "rig"):
+        require(name, isinstance(getattr(s, name), str), "text")
+    require("base", not s.base.endswith(".json") and not s.base.startswith("residual"), "a policy that is not learned")
+    require("scale", is_finite(s.scale) and s.scale >= 0.0, "a finite number of volts, at least 0")
+    require("control_period", is_finite(s.control_period) and s.control_period > 0.0, "a positive number of seconds")
+    for name, least in (("features", 1), ("recurrent", 0)):
+        require(name, type(getattr(s, name)) is int and getattr(s, name) >= least, f"a whole number, at least {least}")
+    require("hidden", all_of(s.hidden, int, lambda size: size >= 1), "a list of positive whole numbers")
+    require("tanh_output", isinstance(s.tanh_output, bool), "true or false")
+    require("law", s.law in LAWS, f"one of {', '.join(map(repr, LAWS))}")
+    require("feature_groups", all_of(s.feature_groups, str, FEATURE_GROUPS.__contains__), "some of FEATURE_GROUPS")
+    times = isinstance(s.ahead, tuple) and all(is_finite(value) and value >= 0.0 for value in s.ahead)
+    require("ahead", times, "a list of seconds, at least 0")
+
+
+def check_tensors(called: str, settings: Learned, tensors: dict[str, np.ndarray]) -> None:
+    """Raise ValueError unless the tensors have the shapes that the settings say, and only finite numbers."""
+    n, inputs = settings.recurrent, settings.features
+    shapes: dict[str, tuple[int, ...]] = {}
+    if n:
+        shapes = dict(zip(CELL, ((3 * n, inputs), (3 * n, n), (3 * n,), (3 * n,))))
+        inputs = n
+    for layer, size in enumerate((*settings.hidden, 2)):
+        shapes |= {f"{layer}.weight": (size, inputs), f"{layer}.bias": (size,)}
+        inputs = size
+    if set(tensors) != set(shapes):
+        raise ValueError(f"{called}: tensors {sorted(tensors)}: must be {sorted(shapes)}")
+    for name, shape in shapes.items():
+        if tensors[name].shape != shape:
+            raise ValueError(f"{called}: {name} has shape {tensors[name].shape}: must be {shape}")
+        if not np.isfinite(tensors[name]).all():
+            raise ValueError(f"{called}: {name}: must hold finite numbers only")
 
 
 def load_learned(path: str | os.PathLike) -> tuple[Learned, Network | RecurrentNetwork]:
@@ -274,17 +325,26 @@ def load_learned(path: str | os.PathLike) -> tuple[Learned, Network | RecurrentN
     from safetensors.numpy import load
 
     path = Path(path)
+    called = f"path = {str(path)!r}"
     try:
         described = json.loads(path.with_suffix(".json").read_text())
         data = path.with_suffix(".safetensors").read_bytes()
         digest = described.pop("sha256")
+        whole = described.pop("settings_sha256", None)  # files without are older than it
         lists = {name: tuple(value) for name, value in described.items() if isinstance(value, list)}
         settings = Learned(**{"law": "sum", **described, **lists})  # files without a law are older than the second one
-    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-        raise ValueError(f"path = {str(path)!r}: no learned policy: {error}") from error
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        raise ValueError(f"{called}: no learned policy: {error}") from error
     if sha256(data).hexdigest() != digest:
-        raise ValueError(f"path = {str(path)!r}: the weights are not those that the JSON file describes")
-    tensors = load(data)
+        raise ValueError(f"{called}: the weights are not those that the JSON file describes")
+    if whole is not None and settings_digest(settings) != whole:
+        raise ValueError(f"{called}: the settings are not those that were stored")
+    check_settings(called, settings, path)
+    try:
+        tensors = load(data)
+    except Exception as error:  # safetensors raises its own
+        raise ValueError(f"{called}: the weights are no safetensors file: {error}") from error
+    check_tensors(called, settings, tensors)
     layers = range(len(settings.hidden) + 1)
     network = Network(
         tuple(tensors[f"{layer}.weight"].astype(float) for layer in layers),

@@ -122,7 +122,10 @@ def stored_weights(name: str, plant: str, rig: Rig = PAPER) -> Weights:
         raise ValueError(f"{called}: no weights are stored for the rig {rig.name!r}; heli-tune --store stores some")
     own = Rig.from_toml(known["rig"]) if "rig" in known else PAPER
     check_same_rig(f"{called}: what is stored", own, rig, "the one that flies")
-    return type(WEIGHTS[name])(**known[name])
+    try:
+        return type(WEIGHTS[name])(**known[name])
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{called}: weights in {path}: {error}") from error
 
 
 def weights_of(name: str, rig: Rig = PAPER) -> Weights:

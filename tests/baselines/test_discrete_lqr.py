@@ -1,6 +1,6 @@
 """The discrete-time regulators: stationary far from the end, the paper's where there is nothing more, and optimal."""
 
-from dataclasses import astuple
+from dataclasses import astuple, replace
 
 import numpy as np
 import pytest
@@ -89,3 +89,10 @@ def test_the_closed_loop_at_hover_is_stable(weights):
     exact = expm(DT * np.block([[A, B], [np.zeros((2, n + 2))]]))
     K = regulator_gains(*hovering(1.0), DT, NOMINAL, weights, lag)[:, :, 0]
     assert np.abs(np.linalg.eigvals(exact[:n, :n] - exact[:n, n:] @ K)).max() < 1.0
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), -1.0, None, "3", 10**400])
+@pytest.mark.parametrize("name", ["travel", "travel_integral", "thrust_sum"])
+def test_weights_that_are_no_finite_numbers_at_least_zero_are_refused_by_name(name, value):
+    with pytest.raises(ValueError, match=f"{name} = "):
+        replace(LQI, **{name: value})

@@ -153,3 +153,51 @@ def test_bad_settings_are_named(tmp_path):
     save_learned(tmp_path / "one", Learned("zero", 1.0, "climb-7.5", "lab", 0.02, 4, (16, 8), False), network(4))
     with pytest.raises(ValueError, match=r"control_period = 0\.01"):
         make_policy(str(tmp_path / "one.json"), SHORT, 0.01)
+
+
+@pytest.mark.parametrize(
+    ("setting", "value"),
+    [
+        ("base", "residual"),
+        ("base", "one.json"),
+        ("base", 3),
+        ("hidden", [16]),
+        ("hidden", [16, 9]),
+        ("hidden", [16, "8"]),
+        ("scale", "3"),
+        ("scale", -1.0),
+        ("scale", float("nan")),
+        ("features", 5),
+        ("control_period", 0.0),
+        ("law", "moon"),
+        ("feature_groups", ["moon"]),
+        ("ahead", [-1.0]),
+        ("tanh_output", 1),
+    ],
+)
+@pytest.mark.parametrize("has_digest", [True, False])
+def test_settings_that_were_changed_or_make_no_sense_are_refused(tmp_path, setting, value, has_digest):
+    path = tmp_path / "one"
+    save_learned(path, Learned("zero", 1.0, "climb-7.5", "lab", 0.02, 4, (16, 8), True), network(4, tanh_output=True))
+    described = json.loads(path.with_suffix(".json").read_text())
+    described[setting] = value
+    if not has_digest:
+        del described["settings_sha256"]
+    path.with_suffix(".json").write_text(json.dumps(described))
+    with pytest.raises(ValueError, match="one"):
+        load_learned(path)
+
+
+def test_deep_nesting_is_refused(tmp_path):
+    (tmp_path / "one.json").write_text("[" * 100_000)
+    (tmp_path / "one.safetensors").write_bytes(b"")
+    with pytest.raises(ValueError, match="no learned policy"):
+        load_learned(tmp_path / "one")
+
+
+def test_weights_that_are_not_finite_are_refused(tmp_path):
+    bad = network(4)
+    bad.weights[1][0, 0] = np.nan
+    save_learned(tmp_path / "one", Learned("zero", 1.0, "climb-7.5", "lab", 0.02, 4, (16, 8), False), bad)
+    with pytest.raises(ValueError, match=r"1\.weight: must hold finite numbers"):
+        load_learned(tmp_path / "one")
