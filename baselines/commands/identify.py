@@ -17,6 +17,7 @@ from rich.table import Table
 from heli_gym.baselines.evaluation import log_figures
 from heli_gym.baselines.evaluation.figures import DPI
 from heli_gym.baselines.identification.estimation import EFFECTS, Identification, identify
+from heli_gym.baselines.identification.experiment import LONGEST, design
 from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog
 from heli_gym.baselines.identification.prediction import (
     FilteredLog,
@@ -43,7 +44,9 @@ class Args:
     fit_share: float = 0.6  # share of each log, from its start, that is fitted; the rest is predicted
     mapping: Path | None = None  # .toml or .json with the tables columns, signs, units, zeros
     sample_time: float | None = None  # s; by default 0.01, or the log's own if that is longer
-    out: Path | None = None  # .toml, for the identified rig
+    out: Path | None = None  # .toml, for the identified rig; .csv, for the experiment
+    design: bool = False  # whether to design an experiment for the rig instead, without logs
+    duration: float = LONGEST  # s, of the experiment
     json: Path | None = None  # .json, for the report
     figures: Path | None = None  # folder, for measured and predicted angles
     ablation: bool = False  # whether to identify without and with each effect, too: takes ten times as long
@@ -93,7 +96,9 @@ def ablation_table(logs: list[FlightLog], args: Args, progress: Any) -> tuple[Ta
     """Errors at 1 s of models that have more and more of the effects, and of the whole without each."""
     table = Table("effects", *ANGLES, title="RMS error in degrees at 1 s, windows that were not fitted")
     names, found = list(EFFECTS), {}
-    cases = {"(2) and (3) alone": []} | {f"+ {name}": names[: i + 1] for i, name in enumerate(names)}
+    cases: dict[str, list[str]] = {"(2) and (3) alone": []} | {
+        f"+ {name}": names[: i + 1] for i, name in enumerate(names)
+    }
     cases |= {f"all but {name}": [other for other in names if other != name] for name in names}
     for title, effects in cases.items():
         progress(f"ablation: {title}")
@@ -106,6 +111,12 @@ def ablation_table(logs: list[FlightLog], args: Args, progress: Any) -> tuple[Ta
 
 def check(args: Args) -> None:
     """Raises ValueError for arguments that cannot be."""
+    if args.design:
+        if args.logs:
+            raise ValueError("logs: must be left out with --design")
+        if args.out is not None and args.out.suffix != ".csv":
+            raise ValueError(f"out = {str(args.out)!r}: must end in .csv with --design")
+        return
     if not args.logs:
         raise ValueError("logs: must be at least one file")
     if not (math.isfinite(args.fit_share) and 0.0 < args.fit_share <= 1.0):
@@ -120,11 +131,31 @@ def check(args: Args) -> None:
         check_folder("figures", args.figures)
 
 
+def run_design(args: Args) -> None:
+    """Design an experiment, write its references and the flight that is expected, print the expected errors."""
+    out = args.out or Path("out/experiment.csv")
+    check_folder("out", out.parent)
+    experiment = design(find_rig(args.rig), args.duration)
+    experiment.log.save(out)
+    table = Table("parameter", "expected standard error", "share of the prior's spread")
+    for name, error in experiment.standard_errors.items():
+        table.add_row(name, f"{error:.2g}", f"{experiment.share_of_prior[name]:.2f}")
+    console, log = Console(), experiment.log
+    console.print(table)
+    console.print(
+        f"{log.duration:g} s, pitch {np.degrees(log.angles[2].min()):.1f}° to {np.degrees(log.angles[2].max()):.1f}°, "
+        f"voltages {log.voltages.min():.2f} V to {log.voltages.max():.2f} V\nreferences and expected flight: {out}"
+    )
+
+
 def run(args: Args) -> None:
     """Load, identify, predict, write, print."""
     check(args)
     find_rig(args.rig)
     announce_replaced("heli-identify", *(path for path in (args.out, args.json) if path))
+    if args.design:
+        run_design(args)
+        return
     console, began = Console(), time.perf_counter()
 
     def progress(text: str) -> None:
@@ -176,9 +207,9 @@ def run(args: Args) -> None:
                 figure = log_figures.predictions(FilteredLog(log, model, settings), args.fit_share)
                 figure.savefig(file, format="png", dpi=DPI)
             console.print(f"picture: {path}")
-    for kind, path in (("rig", args.out), ("report", args.json)):
-        if path:
-            console.print(f"{kind}: {path}")
+    for kind, written in (("rig", args.out), ("report", args.json)):
+        if written:
+            console.print(f"{kind}: {written}")
 
 
 def main(args: Args | None = None) -> None:

@@ -28,7 +28,7 @@ WINDOW = 2.0  # s
 EVERY = 5  # samples, of which one counts
 HUBER = 3.0  # standard deviations, from which on an error counts linearly
 LEAST_SIGMA = 2.0 * math.pi / np.array([8192, 4096, 4096]) / math.sqrt(12.0)  # rad, of rounding to encoder counts
-LEAST_SPREAD = 1e-3  # rad/s², of the slow accelerations
+LEAST_SPREAD = 3e-4  # rad/s², of the slow accelerations
 UNDETERMINED = 0.7  # share of the prior's spread above which the data say too little
 MAX_PARAMETER = 1e6
 
@@ -350,7 +350,8 @@ class Shooting:
         In each window, the nine unknowns are eliminated (Schur complement).
         """
         count = len(chosen)
-        matrix, side, back = np.zeros((count, count)), np.zeros(count), []
+        matrix, side = np.zeros((count, count)), np.zeros(count)
+        back: list[np.ndarray | None] = []
         variance = np.zeros(3)
         for (y, dy), measured, states in zip(simulated, self.measured, self.z):
             if measured is None:

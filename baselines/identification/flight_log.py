@@ -108,7 +108,7 @@ class FlightLog:
 
     def airborne(self) -> np.ndarray:
         """Mask (K,) of the samples above the table, for at least half a second."""
-        up = self.angles[1] < self.table_elevation() - TABLE_MARGIN
+        up = np.asarray(self.angles[1] < self.table_elevation() - TABLE_MARGIN)
         if up.all():
             return up
         n = round(SETTLING / self.sample_time)
@@ -186,7 +186,8 @@ class FlightLog:
         for name in VOLTAGES:
             if name not in values:
                 raise ValueError(lacks(path, name, held))
-        return cls(*on_even_grid(values, sample_time, path), name=path.stem)
+        t, angles, voltages, references = on_even_grid(values, sample_time, path)
+        return cls(t, angles, voltages, references, path.stem)
 
 
 def is_wanted(held: Mapping[str, np.ndarray], name: str, columns: Mapping[str, str]) -> bool:
@@ -232,9 +233,9 @@ def column(
     if unit not in UNITS:
         raise ValueError(f"units: {name} = {unit!r}: must be one of {', '.join(UNITS)}")
     sign, zero = tables["signs"].get(name, 1.0), tables["zeros"].get(name, 0.0)
-    for table, number in (("signs", sign), ("zeros", zero)):
+    for label, number in (("signs", sign), ("zeros", zero)):
         if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
-            raise ValueError(f"{table}: {name} = {number!r}: must be a finite number")
+            raise ValueError(f"{label}: {name} = {number!r}: must be a finite number")
     return float(sign) * UNITS[unit] * (value - float(zero))
 
 
@@ -391,9 +392,9 @@ def on_even_grid(values: dict[str, np.ndarray], sample_time: float | None, path:
     # the integral of what is held, whose increments over the steps are their means
     ends = np.append(t - t[0], t[-1] - t[0] + max(own, sample_time))
     voltages = np.empty((2, len(grid)))
-    for row, name in zip(voltages, VOLTAGES):
+    for mean, name in zip(voltages, VOLTAGES):
         integral = np.concatenate(([0.0], np.cumsum(values[name] * np.diff(ends))))
-        row[:] = np.diff(np.interp(np.append(grid, grid[-1] + sample_time), ends, integral)) / sample_time
+        mean[:] = np.diff(np.interp(np.append(grid, grid[-1] + sample_time), ends, integral)) / sample_time
     references = {name: np.interp(grid, t - t[0], values[name]) for name in REFERENCES if name in values}
     return grid, angles, voltages, references
 

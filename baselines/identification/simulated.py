@@ -44,7 +44,7 @@ def simulate_log(
     n = round(duration / dt)
     theta = np.array(parameters, dtype=complex)
     counts = 2.0 * math.pi / np.array(COUNTS)
-    phase = np.zeros(3) if rng is None else rng.uniform(0.0, 1.0, 3)
+    phase = np.full(3, 0.5) if rng is None else rng.uniform(0.0, 1.0, 3)
     hover = hover_of(parameters, voltage)
     # moments per volt about hover, for gains that suit any rig
     slope = parameters.exponent * abs(parameters.b3) / voltage
@@ -54,7 +54,7 @@ def simulate_log(
     y = np.empty((6, BLOCK + 1), dtype=complex)
     sums, last, smooth = 0.0, None, np.zeros(3)
     for k in range(0, n + 1, BLOCK):
-        measured = counts * np.floor(z[0:6:2].real / counts + phase)
+        measured = quantise(z[0:6:2].real, counts, phase)
         rates = np.zeros(3) if last is None else (measured - last) / (BLOCK * dt)
         smooth = 0.7 * smooth + 0.3 * rates
         last = measured
@@ -71,9 +71,14 @@ def simulate_log(
         f[:, 2 * k : 2 * stop + 1] = part[:, 2 * (k - first) :]
         block = y[:, : stop - k + 1]
         simulation_kernel()(z, f, k, dt, theta, block)
-        angles[:, k:stop] = counts[:, None] * np.floor(block[0:6:2, :-1].real / counts[:, None] + phase[:, None])
+        angles[:, k:stop] = quantise(block[0:6:2, :-1].real, counts[:, None], phase[:, None])
         z[:6] = block[:, -1]
     return FlightLog(np.arange(n + 1) * dt, angles, u, name=name)
+
+
+def quantise(angles: np.ndarray, counts: np.ndarray, phase: np.ndarray) -> np.ndarray:
+    """Angles as encoders give them, their steps at a phase in [0, 1), without a bias."""
+    return counts * (np.floor(angles / counts + phase) + 0.5 - phase)
 
 
 def square_waves(pitch: float = 0.3, elevation: float = 0.15) -> Callable[[float], tuple[float, float]]:

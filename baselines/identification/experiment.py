@@ -1,0 +1,141 @@
+"""An experiment that excites what a rig's parameters need: multisine references on top of hover."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from heli_gym.baselines.identification.estimation import COEFFICIENTS, EFFECTS, LEAST_SIGMA, SPREAD, Shooting
+from heli_gym.baselines.identification.flight_log import FlightLog
+from heli_gym.baselines.identification.measured_model import NAMES, MeasuredParameters
+from heli_gym.baselines.identification.simulated import simulate_log
+from heli_gym.rig import Rig
+
+LONGEST = 60.0  # s
+TONES = 12  # of each reference
+PITCH_BAND, ELEVATION_BAND = (0.016, 1.5), (0.04, 0.6)  # Hz; slow pitch lets travel become fast
+CANDIDATES = 12  # sets of phases, of which the best is taken
+FADE = 2.0  # s, in which the references rise from zero, and fall to it at the end
+MODEL_ERROR = 3.0  # by which errors of measured flights are larger than rounding, and correlated
+
+
+@dataclass(frozen=True, eq=False)
+class Experiment:
+    """A maneuver for identification.
+
+    Attributes:
+        log: the flight that is expected, with the references `pitch_ref` and `elevation_ref`.
+        standard_errors: expected, of each parameter, if errors are MODEL_ERROR times the encoders' rounding.
+        share_of_prior: these, relative to what is known beforehand; near 1, the experiment says nothing.
+    """
+
+    log: FlightLog
+    standard_errors: dict[str, float]
+    share_of_prior: dict[str, float]
+
+
+def parameters_of(rig: Rig) -> tuple[MeasuredParameters, float]:
+    """The rig as the model of real flights has it, with the effects that all rigs have, and its hover voltage in V."""
+    hover = rig.hover_voltage()
+    if not np.isfinite(hover).all():
+        raise ValueError(f"rig = {rig.name!r}: must hover within its thrust map")
+    voltage = float(hover.mean())
+    both = np.full(2, voltage)
+    f, slope = rig.thrust(both), rig.thrust_slope(both)
+    backwards = float(-rig.thrust(-both).sum() / f.sum())
+    unit, p = float(f.mean()), rig.parameters
+    return MeasuredParameters(
+        a1=p.a1, a2=p.a2, a3=p.a3, b1=p.b1 * unit, b2=p.b2 * unit, b3=p.b3 * unit, c1=p.c1, c2=p.c2, c3=p.c3,
+        exponent=float((slope * voltage / f).mean()), reverse=max(backwards, 0.0),
+        mismatch=float((f[0] - f[1]) / f.sum()), lag=max(rig.lag, 0.005), delay=rig.delay,
+        voltage_limit=rig.voltage_limits[1],
+    ), voltage  # fmt: skip
+
+
+def multisine(
+    band: tuple[float, float], duration: float, amplitude: float, rng: np.random.Generator
+) -> Callable[[float], float]:
+    """A sum of tones at harmonics of the duration, of equal power in logarithmic spacing and random phases.
+
+    Its largest value is the amplitude; it rises from zero and falls to it.
+    """
+    harmonics = np.unique(np.maximum(np.round(np.geomspace(*band, TONES) * duration), 1.0))
+    frequencies = 2.0 * math.pi * harmonics / duration
+    phases = rng.uniform(0.0, 2.0 * math.pi, len(frequencies))
+    weights = frequencies**-0.5  # more at low frequencies, where the voltages last
+    grid = np.arange(0.0, duration, 0.02)
+    largest = np.abs(np.cos(np.outer(grid, frequencies) + phases) @ weights).max()
+
+    def reference(t: float) -> float:
+        fade = max(min(t / FADE, (duration - t) / FADE, 1.0), 0.0)
+        return fade * amplitude / largest * float(np.cos(frequencies * t + phases) @ weights)
+
+    return reference
+
+
+def design(rig: Rig, duration: float = LONGEST, seed: int = 0) -> Experiment:
+    """The best of some multisines, by the mean logarithm of the expected standard errors.
+
+    Pitch and elevation are excited at once, by references of a controller about hover, as large as the rig's limits
+    permit: voltages within `rig.limits`, pitch within half of them.
+
+    Raises ValueError for a duration that is not 10 to 60 s, or a rig whose limits permit no excitation.
+    """
+    if not (isinstance(duration, int | float) and 10.0 <= duration <= LONGEST):
+        raise ValueError(f"duration = {duration!r}: must be 10 to {LONGEST:g} s")
+    parameters, voltage = parameters_of(rig)
+    rng = np.random.default_rng(seed)
+    best, best_score = None, math.inf
+    for _ in range(CANDIDATES):
+        log = largest_flight(rig, parameters, voltage, duration, rng)
+        if log is None:
+            continue
+        errors, shares = expected_errors(log, parameters, voltage)
+        score = float(np.mean(np.log(list(shares.values()))))
+        if score < best_score:
+            best, best_score = Experiment(log, errors, shares), score
+    if best is None:
+        raise ValueError(f"rig = {rig.name!r}: its limits, {rig.limits}, must permit more than hover")
+    return best
+
+
+def largest_flight(
+    rig: Rig, parameters: MeasuredParameters, voltage: float, duration: float, rng: np.random.Generator
+) -> FlightLog | None:
+    """A flight on random multisines, their size such that it stays within limits; None if that is nearly none."""
+    pitch = multisine(PITCH_BAND, duration, 1.0, rng)
+    elevation = multisine(ELEVATION_BAND, duration, 1.0, rng)
+    low, high = rig.limits.u
+    allowed = 0.5 * min(rig.limits.pitch_max, -rig.limits.pitch_min)
+    size = 1.0
+    while size > 0.05:
+
+        def references(t: float, size: float = size) -> tuple[float, float]:
+            return size * allowed * pitch(t), size * math.radians(10.0) * elevation(t)
+
+        log = simulate_log(parameters, voltage, references, duration, name=f"{rig.name}-experiment")
+        inside = low <= log.voltages.min() and log.voltages.max() <= high
+        if inside and np.abs(log.angles[2]).max() < 2.0 * allowed and np.abs(log.angles[1]).max() < math.radians(25.0):
+            values = np.array([references(float(t)) for t in log.t]).T
+            named = {"pitch_ref": values[0], "elevation_ref": values[1]}
+            return FlightLog(log.t, log.angles, log.voltages, named, log.name)
+        size *= 0.8
+    return None
+
+
+def expected_errors(
+    log: FlightLog, parameters: MeasuredParameters, voltage: float
+) -> tuple[dict[str, float], dict[str, float]]:
+    """Standard errors of the parameters from such a flight, and relative to the prior's spread."""
+    problem = Shooting([log], 1.0)
+    names = [*COEFFICIENTS, *(name for effect in EFFECTS.values() for name in effect if name != "voltage_limit")]
+    chosen = np.array([NAMES.index(name) for name in names])
+    problem.sigma = MODEL_ERROR * LEAST_SIGMA
+    problem.correlation_time = np.full(3, 0.2)
+    theta = np.array(parameters, dtype=float)
+    problem.hover_voltage = voltage
+    matrix, *_ = problem.normal_equations(problem.simulate(theta, problem.z, chosen), chosen)
+    prior = np.array(SPREAD)[chosen]
+    errors = np.sqrt(np.diag(np.linalg.inv(matrix + np.diag(prior**-2.0))))
+    return dict(zip(names, errors.tolist())), dict(zip(names, (errors / prior).tolist()))

@@ -1,0 +1,57 @@
+"""The experiment keeps its limits and tells what it promises."""
+
+import numpy as np
+import pytest
+
+from heli_gym.baselines.commands import identify as command
+from heli_gym.baselines.identification.estimation import identify
+from heli_gym.baselines.identification.experiment import MODEL_ERROR, design, multisine, parameters_of
+from heli_gym.baselines.identification.flight_log import FlightLog
+from heli_gym.rig import find_rig
+
+
+@pytest.fixture(scope="module")
+def experiment():
+    return design(find_rig("ntnu"), 40.0)
+
+
+def test_it_keeps_the_limits_of_the_rig(experiment):
+    rig, log = find_rig("ntnu"), experiment.log
+    assert rig.limits.u_min <= log.voltages.min() and log.voltages.max() <= rig.limits.u_max
+    assert np.abs(log.angles[2]).max() < rig.limits.pitch_max
+    assert log.duration == pytest.approx(40.0)
+    assert np.ptp(log.references["pitch_ref"]) > np.radians(10.0)
+
+
+def test_its_flight_gives_the_coefficients_within_the_expected_errors(experiment):
+    found = identify([experiment.log], "ntnu", fit_share=1.0)
+    parameters, voltage = parameters_of(find_rig("ntnu"))
+    unit = (found.hover_voltage / voltage) ** parameters.exponent
+    for name in ("a1", "a2", "a3"):
+        error = getattr(found.parameters, name) - getattr(parameters, name)
+        assert abs(error) < 3.0 * experiment.standard_errors[name]
+    for name in ("b1", "b2", "b3"):
+        error = getattr(found.parameters, name) - unit * getattr(parameters, name)
+        assert abs(error) < 3.0 * experiment.standard_errors[name]
+    smaller = [experiment.standard_errors[name] > error for name, error in found.standard_errors.items()]
+    assert MODEL_ERROR > 1.0 and np.mean(smaller) > 0.8  # for its errors are no more than rounding
+
+
+def test_a_multisine_has_its_amplitude_and_rests_at_both_ends():
+    reference = multisine((0.1, 1.0), 30.0, 0.3, np.random.default_rng(0))
+    values = np.array([reference(t) for t in np.arange(0.0, 30.01, 0.01)])
+    assert values[0] == pytest.approx(0.0) and values[-1] == pytest.approx(0.0, abs=1e-6)
+    assert 0.15 < np.abs(values).max() <= 0.3 * 1.001
+
+
+@pytest.mark.parametrize("duration", [5.0, 61.0, float("nan")])
+def test_other_durations_are_refused(duration):
+    with pytest.raises(ValueError, match=r"duration = .*: must be 10 to 60 s"):
+        design(find_rig("ntnu"), duration)
+
+
+def test_the_command_writes_references_and_the_expected_flight(tmp_path, capsys):
+    command.main(command.Args(design=True, rig="ntnu", duration=10.0, out=tmp_path / "experiment.csv"))
+    log = FlightLog.load(tmp_path / "experiment.csv")
+    assert set(log.references) == {"pitch_ref", "elevation_ref"}
+    assert "expected standard error" in capsys.readouterr().out
