@@ -28,6 +28,7 @@ from heli_gym.baselines.control.residual import (
     load_learned,
 )
 from heli_gym.baselines.control.weights import ObserverWeights, weights_of
+from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.baselines.evaluation.report import WEB, check_page, write_page
 from heli_gym.baselines.paper.boundary_value import (
     FINE,
@@ -58,12 +59,10 @@ ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s
 LIMIT_TOLERANCE = 1e-6  # V
 
 # What can be flown in the browser, by web/src/controllers.ts, and whether it is shown at first.
-POLICIES = (
-    {"name": "feedforward+tvlqr", "label": "the paper's controller", "shown": True},
-    {"name": "open-loop", "label": "open loop", "shown": True},
-    {"name": "residual", "label": "residual policy", "shown": True},
-    {"name": "kalman-lqr", "label": "Kalman LQR", "shown": False},
-    {"name": "hover-lqr", "label": "hover LQR", "shown": False},
+SHOWN = ("feedforward+tvlqr", "open-loop", "residual")
+POLICIES = tuple(
+    {"name": name, "label": label_of(name).text, "colour": label_of(name).colour, "shown": name in SHOWN}
+    for name in (*SHOWN, "kalman-lqr", "hover-lqr")
 )
 NETWORK_FOR = {
     "nominal": "lab",

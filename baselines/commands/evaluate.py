@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from rich.console import Console
@@ -17,9 +17,9 @@ from rich.table import Table
 from heli_gym.baselines.control.policies import POLICIES, is_learned, make_policy
 from heli_gym.baselines.evaluation import figures
 from heli_gym.baselines.evaluation.agents import make_pilot
-from heli_gym.baselines.evaluation.conditions import find_condition
+from heli_gym.baselines.evaluation.conditions import describe_draw, find_condition
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
-from heli_gym.baselines.evaluation.report import check_page, write_report
+from heli_gym.baselines.evaluation.report import Shown, check_page, write_report
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.evaluation.scoring import flies_together
 from heli_gym.baselines.evaluation.statistics import with_interval
@@ -38,6 +38,7 @@ RESULTS = "results.json"
 PAPERS_REFERENCE = "travel-360"
 PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
 FIGURE_START_DEG = (-5.0, 5.0)  # travel and elevation off the reference, where the flights of Figs. 10 and 11 start
+FLIGHTS_ON_A_PAGE = 60
 NOT_COMPARED = ("residual", "residual-rigid", "middle-voltage", "zero")  # unless they are asked for
 COMPARED = tuple(name for name in POLICIES if name not in NOT_COMPARED)
 COLUMNS = (
@@ -84,6 +85,8 @@ class Args:
     start_spread_deg: float = 5.0  # how far each angle of their starts may be off
     out: Path = Path("out")  # folder for results.json and the figures
     figures: bool = True  # whether to draw the paper's figures
+    format: Literal["png", "pdf", "svg"] = "png"  # of the figures
+    columns: Literal[0, 1, 2] = 0  # of a journal, that the figures are as wide as; 0 for the screen
     report: Path | None = None  # a page to write, .html: the table, interactive plots and a replay of the flights in 3D
 
 
@@ -216,14 +219,50 @@ def results_table(rows: Sequence[dict[str, Any]], args: Args) -> Table:
     return table
 
 
-def report_flights(flights: Iterable[Flight]) -> dict[str, dict[str, Trajectory]]:
-    """What the report replays, by start and policy: of each the first flight."""
-    shown: dict[str, dict[str, Trajectory]] = {}
-    for flight in flights:
-        period = f"{flight.control_period * 1e3:g} ms"
-        label = f"exact start, {period}" if flight.start == "exact" else f"perturbed start, {period}, first episode"
-        shown.setdefault(label, {}).setdefault(flight.policy, flight.trajectory)
+def report_flights(args: Args, flights: Sequence[Flight]) -> list[Shown]:
+    """What the report shows: the draw that is hardest for all, the median one, others, and the exact start."""
+    perturbed = [flight for flight in flights if flight.start == "perturbed"]
+    seeds = hardest_first(perturbed)
+    names = dict.fromkeys(seeds[:: max(len(seeds) // 2, 1)][:2], "")
+    order = [*names, *(seed for seed in sorted(seeds) if seed not in names)]
+    plant = find_condition(args.plant)
+    envs = Heli3DOFVectorEnv(len(seeds), plant, args.reference, control_period=args.control_period)
+    envs.reset(seed=args.seed)
+    shown = []
+    for seed in order[: max(2, FLIGHTS_ON_A_PAGE // len(args.policies))]:
+        group = {flight.policy: flight for flight in perturbed if flight.seed == seed}
+        kind = "hardest draw" if seed == seeds[0] else "median draw" if seed in names else "draw"
+        shown.append(
+            Shown(
+                f"{kind}, seed {seed}, perturbed start, {args.control_period * 1e3:g} ms",
+                {name: flight.trajectory for name, flight in group.items()},
+                describe_draw(plant, envs.plant_of(seed - args.seed)),
+                {name: error_deg(flight) for name, flight in group.items()},
+            )
+        )
+    exact = {flight.policy: flight.trajectory for flight in flights if flight.start == "exact"}
+    if exact:
+        shown.append(Shown(f"exact start, {PAPER_PERIOD * 1e3:g} ms", exact))
     return shown
+
+
+def error_deg(flight: Flight) -> float:
+    """RMS distance from the reference in travel and elevation."""
+    return float(np.hypot(*flight.metrics.rms_error_deg[:2]))
+
+
+def hardest_first(flights: Sequence[Flight]) -> list[int]:
+    """The seeds, ordered by the mean over policies of the rank of their flights, crashes being the worst."""
+    seeds = sorted({flight.seed for flight in flights})
+    total = dict.fromkeys(seeds, 0.0)
+    for policy in {flight.policy for flight in flights}:
+        own = sorted(
+            (flight for flight in flights if flight.policy == policy),
+            key=lambda flight: (flight.metrics.crashed, error_deg(flight)),
+        )
+        for rank, flight in enumerate(own):
+            total[flight.seed] += rank
+    return sorted(seeds, key=lambda seed: -total[seed])
 
 
 def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: Maneuver) -> list[dict[str, Any]]:
@@ -275,7 +314,7 @@ def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory,
         "overview": figures.overview(reference, {"feedforward+tvlqr": flights["feedforward+tvlqr"]}, title),
     }
     for name, figure in track(drawings.items(), "drawing", console=console):
-        figures.save(figure, args.out / f"{name}.png")
+        figures.save(figure, args.out / f"{name}.{args.format}", args.columns)
 
 
 def main(args: Args | None = None) -> None:
@@ -319,7 +358,11 @@ def run(args: Args) -> None:
                 "rows": [*map(table_cells, rows)],
             },
             reference=find_reference(args.reference),
-            flights=report_flights(flights),
+            shown=report_flights(args, flights),
+            errors={
+                name: [error_deg(flight) for flight in flights if (flight.policy, flight.start) == (name, "perturbed")]
+                for name in args.policies
+            },
         )
         console.print(f"report: {args.report}")
     if args.figures:

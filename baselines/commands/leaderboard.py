@@ -27,7 +27,7 @@ from rich.table import Table
 
 from heli_gym.baselines.control.policies import POLICIES
 from heli_gym.baselines.control.weights import WEIGHTS
-from heli_gym.baselines.evaluation.conditions import OUTSIDE, find_condition
+from heli_gym.baselines.evaluation.conditions import OUTSIDE, describe_draw, find_condition
 from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.baselines.evaluation.leaderboard import (
     Batch,
@@ -44,12 +44,13 @@ from heli_gym.baselines.evaluation.leaderboard import (
     standings,
     write_tables,
 )
-from heli_gym.baselines.evaluation.report import write_report
+from heli_gym.baselines.evaluation.report import Shown, write_report
 from heli_gym.baselines.evaluation.rollout import fly
 from heli_gym.cli import command, parse
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import HELD_OUT_SEED, PLANTS
 from heli_gym.storage import atomic_write, check_folder
+from heli_gym.vector_env import Heli3DOFVectorEnv
 
 NOT_COMPARED = ("middle-voltage", "zero", "residual-rigid")
 COMPARED = tuple(f"{name}@PLANT" if name in WEIGHTS else name for name in POLICIES if name not in NOT_COMPARED)
@@ -178,7 +179,11 @@ def run(args: Args) -> None:
         console.print(CAPTION)
         if args.pages:
             for condition, table in zip(conditions, tables):
-                write_flights(args.out / page_name(condition), condition, table, settings)
+                errors: dict[str, list[float]] = {}
+                for row in rows:
+                    if (row["plant"], row["reference"]) == condition:
+                        errors.setdefault(row["policy"], []).append(row["rms_error_deg"])
+                write_flights(args.out / page_name(condition), condition, table, settings, errors)
         console.print(f"written to {args.out}")
     finally:
         ledger.close()
@@ -337,17 +342,21 @@ def page_name(condition: Condition) -> str:
     return f"pages/{condition.plant}-{Path(condition.reference).stem}.html"
 
 
-def write_flights(path: Path, condition: Condition, table: dict[str, Any], settings: Settings) -> None:
+def write_flights(
+    path: Path, condition: Condition, table: dict[str, Any], settings: Settings, errors: dict[str, list[float]]
+) -> None:
     """The page of a condition: the best policies and the one compared with, on the best one's median and worst draw."""
     entries = table["policies"]
     chosen = [entry["policy"] for entry in entries[:ON_A_PAGE]]
-    env = Heli3DOFEnv(**env_settings(condition, settings))
-    groups = {}
-    for name in ("median", "worst"):
+    own = env_settings(condition, settings)
+    env, envs = Heli3DOFEnv(**own), Heli3DOFVectorEnv(1, **own)
+    shown = []
+    for name in ("worst", "median"):
         seed = entries[0][f"{name}_seed"]
-        groups[f"{name} draw of {entries[0]['label']}, seed {seed}"] = {
-            policy: fly(env, pilot_for(policy, condition, settings.control_period), seed=seed) for policy in chosen
-        }
+        envs.reset(seed=seed)
+        flights = {p: fly(env, pilot_for(p, condition, settings.control_period), seed=seed) for p in chosen}
+        label = f"{name} draw of {entries[0]['label']}, seed {seed}"
+        shown.append(Shown(label, flights, describe_draw(env.plant, envs.plant_of(0))))
     names = columns_of(table)
     write_report(
         path,
@@ -359,7 +368,8 @@ def write_flights(path: Path, condition: Condition, table: dict[str, Any], setti
             "rows": [[row[0], entry["policy"], *row[2:]] for entry in entries for row in [cells(entry)]],
         },
         reference=find_reference(condition.reference),
-        flights=groups,
+        shown=shown,
+        errors=errors,
     )
 
 

@@ -1,8 +1,10 @@
 """What leaderboards fly: plants, each also with disturbances that no controller was designed or tuned for."""
 
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
 
-from heli_gym.plant import Friction, Gust, Plant, RotorFault, Uniform, find_plant
+from heli_gym.plant import AXES, Friction, Gust, OneOf, Plant, RotorFault, Uniform, find_plant, parts_of
 
 OUTSIDE = "+outside"
 COULOMB = (Uniform(0.0, 0.01), Uniform(0.0, 0.02), Uniform(0.0, 0.05))  # rad/s², of travel, elevation and pitch
@@ -23,3 +25,53 @@ def find_condition(name: str | Plant) -> Plant:
         friction=Friction(plant.friction.viscous, COULOMB),
         disturbances=(*plant.disturbances, RotorFault("front", WEAKER), *GUSTS),
     )
+
+
+UNITS = {  # of parameters of plants, by the last word of their names
+    "lag": "s",
+    "thrust_loss": "",
+    "viscous": "1/s",
+    "coulomb": "rad/s²",
+    "kappa": "m",
+    "acceleration": "rad/s²",
+    "strength": "rad/s²",
+    "time": "s",
+    "duration": "s",
+    "noise": "rad",
+}
+
+
+def describe_draw(plant: Plant, draw: Plant) -> list[tuple[str, str]]:
+    """Names and values of the parameters of a draw that the plant has ranges or options for."""
+    return [(name.replace("_", " "), value) for name, value in drawn_values(plant, draw, "")]
+
+
+def drawn_values(preset: Any, drawn: Any, name: str) -> Iterator[tuple[str, str]]:
+    """Walk through a plant and its draw, however deep."""
+    if isinstance(preset, Uniform):
+        unit = next((unit for word, unit in UNITS.items() if word in name), "")
+        yield name, f"{drawn:.3g} {unit}".strip() + f" ({preset.low:g} to {preset.high:g})"
+    elif isinstance(preset, OneOf):
+        matching = [k for k, option in enumerate(preset.options) if fits(option, drawn)]
+        if matching:
+            yield name, f"{matching[0] + 1} of {len(preset.options)}"
+            yield from drawn_values(preset.options[matching[0]], drawn, name)
+    elif is_dataclass(preset):
+        for f in fields(preset):
+            yield from drawn_values(getattr(preset, f.name), getattr(drawn, f.name), f"{name} {f.name}".strip())
+    elif isinstance(preset, tuple):
+        names = getattr(preset, "_fields", AXES if len(preset) == len(AXES) else range(1, len(preset) + 1))
+        for part_name, part, value in zip(names, preset, drawn):
+            yield from drawn_values(part, value, f"{name} {part_name}")
+
+
+def fits(preset: Any, drawn: Any) -> bool:
+    """Whether a value can be a draw of the preset."""
+    if isinstance(preset, Uniform):
+        return isinstance(drawn, float | int) and preset.low <= drawn <= preset.high
+    if isinstance(preset, OneOf):
+        return any(fits(option, drawn) for option in preset.options)
+    parts = parts_of(preset)
+    if not parts:
+        return preset == drawn
+    return type(preset) is type(drawn) and all(map(fits, parts, parts_of(drawn)))

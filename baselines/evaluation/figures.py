@@ -3,7 +3,6 @@
 import math
 import os
 from collections.abc import Callable, Mapping
-from itertools import cycle
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -12,7 +11,9 @@ from matplotlib import rc_context
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
+from heli_gym.baselines.evaluation.labels import BLUE, GREEN, ORANGE, PINK, RED, SKY, colours_of, label_of
 from heli_gym.baselines.paper.normal_form import ddy2_bounds, thrust_bounds, v1_bounds, v2_bounds
 from heli_gym.baselines.paper.saturation import psi1, psi2_bounds, ramp
 from heli_gym.baselines.paper.tvlqr import Gains
@@ -22,14 +23,20 @@ from heli_gym.storage import atomic_write
 from heli_gym.trajectory import Maneuver, Trajectory
 
 DPI = 150
+FORMATS = ("png", "pdf", "svg")
+COLUMN_WIDTHS = {1: 3.5, 2: 7.16}  # inches, of journals with two columns
+TALLER = {1: 0.19, 2: 0.13}  # times the width in inches on the screen: how much higher than in proportion
+LEGEND_LETTERS = 55  # in a row of a column
+FONT_SIZES, PRINT_DPI = {1: 6.0, 2: 7.5}, 300
+DATELESS = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}
 PAPER_V2 = 0.58  # N, the paper's rounding of (18), at the end of Section III-D
 PAPER_LEAST_V2 = 0.11  # N, and of (43)
 
-# One colour per meaning, from the palette of Okabe and Ito, which colour-blind readers can tell apart.
-INK, NOTE, RED, BLUE, SKY = "black", "0.35", "#D55E00", "#0072B2", "#56B4E9"
-FLOWN = (BLUE, "#009E73", "#CC79A7", SKY, "#E69F00")
+# One colour per meaning; those of policies are in `labels`.
+INK, NOTE = "black", "0.35"
+FLOWN = (BLUE, GREEN, PINK, SKY, ORANGE)  # of lines that are no policies
 LIMIT: dict[str, Any] = {"color": RED, "linestyle": (0, (6, 3)), "linewidth": 1.1}
-NOMINAL: dict[str, Any] = {"color": INK, "linewidth": 1.2}
+PLAN: dict[str, Any] = {"color": INK, "linewidth": 1.2}
 GUIDE: dict[str, Any] = {"color": NOTE, "linestyle": ":", "linewidth": 1.2}
 
 # A decorator: matplotlib's settings change only while a figure is made or saved.
@@ -67,7 +74,7 @@ class Quantity(NamedTuple):
 
 
 TRAVEL = Quantity("travel $q_1$", "deg", lambda flight: np.degrees(flight.x[0]))
-ELEVATION = Quantity("elevation $q_2$", "deg", lambda flight: np.degrees(flight.x[2]))
+ELEVATION = Quantity("elevation $q_2$", "deg, positive down", lambda flight: np.degrees(flight.x[2]))
 PITCH = Quantity("pitch $q_3$", "deg", lambda flight: np.degrees(flight.x[4]), lambda limits: degrees(limits.pitch))
 FRONT = Quantity("front motor $u_f$", "V", lambda flight: flight.u[0], lambda limits: limits.u, held=True)
 BACK = Quantity("back motor $u_b$", "V", lambda flight: flight.u[1], lambda limits: limits.u, held=True)
@@ -103,7 +110,7 @@ def feedforward(trajectory: Trajectory, parameters: HelicopterParameters, title:
         (v1_panel, "thrust sum $v_1$ (N)", v1),
         (v2_panel, "thrust difference $v_2$ (N)", v2),
     ):
-        axes.plot(trajectory.t, v, label="nominal", **NOMINAL)
+        axes.plot(trajectory.t, v, label="plan", **PLAN)
         axes.set(ylabel=label, xlim=(0.0, trajectory.duration))
     for bound in v1_bounds(v2, f):
         v1_panel.plot(trajectory.t, bound, **LIMIT)
@@ -187,30 +194,32 @@ def ramp_saturation(limits: Limits = Limits(), parameters: HelicopterParameters 
 
 @styled
 def gains(gains: Gains) -> Figure:
-    """Fig. 9: the feedback gains (51) over time, first row above, second row below."""
+    """Fig. 9: the feedback gains (51) over time, first row above, second row below, each line named at its end."""
     figure = Figure(figsize=(7.2, 5.2))
     panels = columns_of_panels(figure, 2, 1)[:, 0]
     for row, axes in enumerate(panels):
         for i, linestyle in enumerate(("-", "--", ":")):
-            axes.plot(gains.t, gains.K[row, 2 * i], color=BLUE, linestyle=linestyle, label=f"$q_{i + 1}$ (N/rad)")
-            axes.plot(
-                gains.t, gains.K[row, 2 * i + 1], color=SKY, linestyle=linestyle, label=rf"$\dot q_{i + 1}$ (N s/rad)"
-            )
+            for j, (color, symbol) in enumerate(((BLUE, f"$q_{i + 1}$"), (SKY, rf"$\dot q_{i + 1}$"))):
+                axes.plot(gains.t, gains.K[row, 2 * i + j], color=color, linestyle=linestyle, label=symbol)
         axes.set(ylabel=f"$K_{{{row + 1}i}}$ (N/rad, N s/rad)", xlim=(0.0, gains.t[-1]))
-    finish(figure)
+        name_lines(axes)
+    figure.align_ylabels()
     return figure
 
 
 @styled
 def angles(reference: Trajectory, flights: Mapping[str, Trajectory], title: str) -> Figure:
-    """Fig. 10: nominal and flown angles, and beside them the tracking errors."""
+    """Fig. 10: planned and flown angles, and beside them the tracking errors."""
     figure = Figure(figsize=(9.0, 6.4))
     for (left, right), quantity in zip(columns_of_panels(figure, 3, 2), (TRAVEL, ELEVATION, PITCH)):
         draw(left, quantity, reference, flights)
-        for (name, flight), colour in zip(flights.items(), cycle(FLOWN)):
-            right.plot(flight.t, tracking_error(quantity, reference, flight), color=colour, label=name)
-        right.axhline(0.0, linestyle="--", **NOMINAL)
-        right.set_ylabel(f"error of {quantity.name} ({quantity.unit})")
+        for (name, flight), colour in zip(flights.items(), colours_of([*flights])):
+            right.plot(flight.t, tracking_error(quantity, reference, flight), color=colour, label=label_of(name).text)
+        right.axhline(0.0, linestyle="--", **PLAN)
+        offsets = {f"{tracking_error(quantity, reference, flight)[0]:+.3g}" for flight in flights.values()}
+        if offsets - {"+0", "-0"} and len(offsets) == 1:
+            note(right, f"start {offsets.pop()}\N{DEGREE SIGN} off the plan")
+        right.set_ylabel(f"error of {quantity.name}\n({quantity.unit})")
     figure.suptitle(title, parse_math=False)  # names of files are in it
     finish(figure)
     return figure
@@ -218,7 +227,7 @@ def angles(reference: Trajectory, flights: Mapping[str, Trajectory], title: str)
 
 @styled
 def voltages(reference: Trajectory, flights: Mapping[str, Trajectory], title: str) -> Figure:
-    """Fig. 11: nominal and flown voltages."""
+    """Fig. 11: planned and flown voltages."""
     figure = Figure(figsize=(7.2, 5.2))
     for axes, quantity in zip(columns_of_panels(figure, 2, 1)[:, 0], (FRONT, BACK)):
         draw(axes, quantity, reference, flights)
@@ -239,12 +248,34 @@ def overview(reference: Trajectory, flights: Mapping[str, Trajectory], title: st
 
 
 @styled
-def save(figure: Figure, path: str | os.PathLike) -> None:
-    """Write a figure to a .png file, atomically."""
-    if Path(path).suffix != ".png":
-        raise ValueError(f"path = {str(path)!r}: must end in .png")
-    with atomic_write(path) as file:
-        figure.savefig(file, format="png", dpi=DPI)
+def save(figure: Figure, path: str | os.PathLike, columns: int = 0) -> None:
+    """Write a figure to a .png, .pdf or .svg file, atomically.
+
+    For print, `columns` makes it as wide as one or two columns of a journal; 0 leaves it as it is. The same figure
+    gives the same bytes.
+    """
+    kind = Path(path).suffix[1:]
+    if kind not in FORMATS:
+        raise ValueError(f"path = {str(path)!r}: must end in {', '.join('.' + name for name in FORMATS)}")
+    if columns not in (0, *COLUMN_WIDTHS):
+        raise ValueError(f"columns = {columns!r}: must be 0, 1 or 2")
+    if columns:
+        width, height = figure.get_size_inches()
+        print_width = COLUMN_WIDTHS[columns]
+        figure.set_size_inches(print_width, print_width * height / width * max(1.0, TALLER[columns] * width))
+        for legend in figure.legends:  # in as many rows as the width takes
+            handles, labels = legend.legend_handles, [text.get_text() for text in legend.get_texts()]
+            legend.remove()
+            ncols = max(1, min(len(labels), columns * LEGEND_LETTERS // max(map(len, labels))))
+            figure.legend(handles, labels, loc="outside lower center", ncols=ncols)
+        for text in figure.findobj(Text):
+            text.set_fontsize(min(text.get_fontsize(), FONT_SIZES[columns]))
+    # fonts stay text in .svg and .pdf; no dates, no random names
+    with (
+        rc_context({"svg.fonttype": "none", "svg.hashsalt": "heli_gym", "pdf.fonttype": 42}),
+        atomic_write(path) as file,
+    ):
+        figure.savefig(file, format=kind, dpi=DPI if not columns else PRINT_DPI, metadata=DATELESS.get(kind))
 
 
 def single_panel(xlabel: str, ylabel: str) -> tuple[Figure, Axes]:
@@ -275,19 +306,19 @@ def columns_of_panels(figure: Figure, rows: int, columns: int) -> np.ndarray:
 
 
 def draw(axes: Axes, quantity: Quantity, reference: Trajectory, flights: Mapping[str, Trajectory]) -> None:
-    """A quantity flown and nominal, and its limits."""
+    """A quantity flown and planned, and its limits."""
     drawstyle = "steps-post" if quantity.held else "default"
-    for (name, flight), colour in zip(flights.items(), cycle(FLOWN)):
-        axes.plot(flight.t, quantity.values(flight), color=colour, drawstyle=drawstyle, label=name)
+    for (name, flight), colour in zip(flights.items(), colours_of([*flights])):
+        axes.plot(flight.t, quantity.values(flight), color=colour, drawstyle=drawstyle, label=label_of(name).text)
     linestyle = "--" if flights else "-"
-    axes.plot(reference.t, quantity.values(reference), linestyle=linestyle, label="nominal", **NOMINAL)
+    axes.plot(reference.t, quantity.values(reference), linestyle=linestyle, label="plan", **PLAN)
     if quantity.limits:
         draw_limits(axes.axhline, quantity.limits(reference.limits), limits_label(reference.limits))
         note(axes, reached(quantity, reference, flights))
     low, high = axes.get_ylim()
     least = max(1.0 - 0.5 * (high - low), 0.0)  # rounding errors of a constant do not fill the panel
     axes.set(
-        ylabel=f"{quantity.name} ({quantity.unit})",
+        ylabel=f"{quantity.name}\n({quantity.unit})",
         xlim=(0.0, reference.duration),
         ylim=(low - least, high + least),
     )
@@ -335,6 +366,29 @@ def annotate(axes: Axes, text: str, point: Any, offset: Any, color: str = INK) -
     axes.annotate(text, point, offset, textcoords="offset points", ha="center", va="center", color=color)
 
 
+def name_lines(axes: Axes) -> None:
+    """The label of each line at its right end, pushed apart where they would overlap."""
+    low, high = axes.get_ylim()
+    ends = sorted(((float(np.asarray(line.get_ydata())[-1]), line) for line in axes.lines), key=lambda end: end[0])
+    places = np.array([(y - low) / (high - low) for y, _ in ends])
+    for _ in range(100):
+        for k in range(len(places) - 1):
+            lacking = 0.09 - (places[k + 1] - places[k])
+            if lacking > 0.0:
+                places[k : k + 2] += (-0.5 * lacking, 0.5 * lacking)
+    for (y, line), place in zip(ends, places):
+        axes.annotate(
+            str(line.get_label()),
+            (1.0, (y - low) / (high - low)),
+            (1.03, place),
+            xycoords="axes fraction",
+            textcoords="axes fraction",
+            va="center",
+            color=line.get_color(),
+            arrowprops={"arrowstyle": "-", "color": "0.8", "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0},
+        )
+
+
 def note(axes: Axes, text: str) -> None:
     """Small print above a panel."""
     axes.set_title(text.replace("-", "\N{MINUS SIGN}"), loc="right", fontsize="small", color=NOTE)
@@ -374,9 +428,9 @@ def reached(quantity: Quantity, reference: Trajectory, flights: Mapping[str, Tra
 
 
 def tracking_error(quantity: Quantity, reference: Trajectory, flight: Trajectory) -> np.ndarray:
-    """Flown minus nominal at the times of the flight."""
-    nominal = Trajectory(flight.t, *reference(flight.t))
-    return quantity.values(flight) - quantity.values(nominal)
+    """Flown minus planned at the times of the flight."""
+    planned = Trajectory(flight.t, *reference(flight.t))
+    return quantity.values(flight) - quantity.values(planned)
 
 
 def degrees(window: tuple[float, float]) -> tuple[float, float]:

@@ -6,14 +6,15 @@ The program in them is TypeScript, in web/; `npm ci && npm run build` there bund
 import json
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from heli_gym.baselines.evaluation.labels import colours_of, label_of
 from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters
 from heli_gym.rigid_body import solve_rigid_body
@@ -23,7 +24,7 @@ from heli_gym.trajectory import Trajectory
 
 WEB = Path(str(files("heli_gym.baselines.evaluation") / "web"))
 SAMPLE_PERIOD = 0.02  # s, at least, between the samples of a flight in the report
-DECIMALS = 7  # of rad, rad/s, V and gains
+DECIMALS = 6  # of rad, rad/s, V and gains
 
 
 def check_page(name: str, path: str | os.PathLike) -> None:
@@ -54,37 +55,50 @@ def write_page(path: str | os.PathLike, kind: str, title: str, data: Mapping[str
         file.write(page.encode())
 
 
+class Shown(NamedTuple):
+    """Flights from one start that the report shows together."""
+
+    label: str
+    flights: Mapping[str, Trajectory]  # by policy
+    draw: Sequence[tuple[str, str]] = ()  # parameters of the plant's draw: name and value with its unit
+    errors: Mapping[str, float] = {}  # by policy, in deg: where these flights are in the histograms
+
+
 def write_report(
     path: str | os.PathLike,
     title: str,
     table: Mapping[str, Any],
     reference: Trajectory,
-    flights: Mapping[str, Mapping[str, Trajectory]],
+    shown: Sequence[Shown],
+    errors: Mapping[str, Sequence[float]] | None = None,
     parameters: HelicopterParameters = HelicopterParameters(),
 ) -> None:
-    """The report of an evaluation: its table, and its flights in plots and in 3D.
+    """The report of an evaluation: its table, its flights in plots and in 3D, and how their errors are distributed.
 
     Args:
         path: an .html file.
         title: what was evaluated.
-        table: "title" and "caption", "columns" (names) and "rows" (their cells, as they are to be shown).
+        table: "title" and "caption", "columns" (names) and "rows" (their cells, as they are to be shown); the cells
+            under "policy" are names of policies.
         reference: what was to be flown.
-        flights: by start and policy, as `fly` returns them; every start has the same policies.
+        shown: the flights, those of the first entry at first. A policy may be missing in some.
+        errors: by policy, of all its episodes: RMS in deg.
         parameters: those that the gains and the constraints are computed with.
 
     Raises:
         ValueError: if the path is not that of an .html file.
     """
-    policies = list(dict.fromkeys(policy for group in flights.values() for policy in group))
+    policies = list(dict.fromkeys(policy for group in shown for policy in group.flights))
     limits = reference.limits
     data = {
         "title": title,
         "subtitle": f"{reference.duration:g} s within {limits}; heli-gym {version('heli-gym')}",
         "table": table,
         "policies": policies,
-        "groups": [
-            flight_group(label, reference, [group[policy] for policy in policies]) for label, group in flights.items()
-        ],
+        "labels": [label_of(policy).text for policy in policies],
+        "colours": colours_of(policies),
+        "groups": [flight_group(group, reference, policies) for group in shown],
+        "errors": [list((errors or {}).get(policy, ())) for policy in policies],
         "gains": sampled_gains(reference, parameters) if "feedforward+tvlqr" in policies else None,
         "limits": {"u": limits.u, "pitch": limits.pitch},
         "amplifier": AMPLIFIER_LIMITS,
@@ -94,9 +108,9 @@ def write_report(
     write_page(path, "report", f"heli_gym: {title}", data)
 
 
-def flight_group(label: str, reference: Trajectory, flights: list[Trajectory]) -> dict[str, Any]:
+def flight_group(group: Shown, reference: Trajectory, policies: Sequence[str]) -> dict[str, Any]:
     """Flights with the same start and control period, and the reference as they had it, sampled for the page."""
-    control_period = float(flights[0].t[1])
+    control_period = float(next(iter(group.flights.values())).t[1])
     x_ref, u_ref = control_grid(reference, control_period)
     stride = max(1, round(SAMPLE_PERIOD / control_period))
     last = x_ref.shape[1] - 1
@@ -104,15 +118,19 @@ def flight_group(label: str, reference: Trajectory, flights: list[Trajectory]) -
     def sampled(x: np.ndarray, u: np.ndarray) -> dict[str, Any]:
         return {"x": rounded(x[:, ::stride]), "u": rounded(u[:, ::stride])}
 
-    def ended(flight: Trajectory) -> str:
+    def flown(flight: Trajectory | None) -> dict[str, Any] | None:
+        if flight is None:
+            return None
         early = f"beyond ±{np.degrees(PITCH_STOP):.0f}° of pitch: the flight ended at {flight.duration:.2f} s"
-        return early if len(flight.t) <= last else ""
+        return {**sampled(flight.x, flight.u), "ended": early if len(flight.t) <= last else ""}
 
     return {
-        "label": label,
+        "label": group.label,
         "step": stride * control_period,
         "reference": sampled(x_ref, u_ref),
-        "flights": [{**sampled(flight.x, flight.u), "ended": ended(flight)} for flight in flights],
+        "flights": [flown(group.flights.get(policy)) for policy in policies],
+        "draw": [list(pair) for pair in group.draw],
+        "errors": [group.errors.get(policy) for policy in policies],
     }
 
 

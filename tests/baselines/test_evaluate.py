@@ -147,14 +147,14 @@ def test_what_is_drawn_of_flights_is_the_maneuver_that_was_flown_and_of_plans_th
     flown.save(tmp_path / "own.npz")
     monkeypatch.setattr(evaluate, "PAPER_PERIOD", 0.02)  # sooner flown
     drawn = {}
-    monkeypatch.setattr(evaluate.figures, "save", lambda figure, path: drawn.update({path.stem[:5]: figure}))
+    monkeypatch.setattr(evaluate.figures, "save", lambda figure, path, columns: drawn.update({path.stem[:5]: figure}))
     reference = str(tmp_path / name) if name == "own.npz" else name
     args = Args(reference=reference, plant="lab", seed=SEED, out=tmp_path)
     evaluate.draw_figures(args, unconstrained_plan, paper_plan, Console(quiet=True))
     for figure in (drawn["overv"], drawn["fig10"], drawn["fig11"]):
         assert figure.get_suptitle() == f"{name} on the plant lab at 20 ms"
-        [nominal] = [line for line in figure.axes[0].lines if line.get_label() == "nominal"]
-        np.testing.assert_array_equal(nominal.get_xdata(), flown.t)
+        [plan] = [line for line in figure.axes[0].lines if line.get_label() == "plan"]
+        np.testing.assert_array_equal(plan.get_xdata(), flown.t)
     elevation, [start, *_] = flown.x[2], drawn["overv"].axes[1].lines[0].get_ydata()
     assert start == pytest.approx(np.degrees(elevation[0]) + evaluate.FIGURE_START_DEG[1])
     assert drawn["fig08"].axes[0].lines[0].get_xdata()[-1] == 10.0

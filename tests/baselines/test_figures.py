@@ -1,3 +1,4 @@
+import os
 import re
 import subprocess
 import sys
@@ -7,9 +8,10 @@ import numpy as np
 import pytest
 from matplotlib.colors import same_color
 from matplotlib.image import imread
+from matplotlib.text import Text
 
 from heli_gym.baselines.evaluation import figures
-from heli_gym.baselines.paper.tvlqr import Gains
+from heli_gym.baselines.paper.tvlqr import Gains, riccati_gains
 from heli_gym.model import thrust
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.trajectory import Trajectory
@@ -76,7 +78,7 @@ def limits_on(axes, coordinate):
 @pytest.mark.parametrize("name", DRAW)
 def test_every_axis_has_a_label_with_a_unit(drawn, name):
     for axes in drawn[name].axes:
-        assert re.search(r"\S \(\S.*\)$", axes.get_ylabel())
+        assert re.search(r"\S\s\(\S.*\)$", axes.get_ylabel())
         shared_with_the_panel_below = not axes.xaxis.get_tick_params()["labelbottom"]
         assert shared_with_the_panel_below or re.search(r"\S \(\S.*\)$", axes.get_xlabel())
 
@@ -126,7 +128,7 @@ def test_thrust_sum_is_limited_by_what_the_voltages_allow_at_the_thrust_differen
     axes = panel(drawn["feedforward"], "thrust sum")
     lower, upper = (line.get_ydata()[100] for line in limit_lines(axes))
     f = thrust(np.linspace(2.0, 10.0, 20001), PARAMETERS)
-    back = f - curve(panel(drawn["feedforward"], "thrust difference"), "nominal").get_ydata()[100]
+    back = f - curve(panel(drawn["feedforward"], "thrust difference"), "plan").get_ydata()[100]
     allowed = (f + back)[(back >= f[0]) & (back <= f[-1])]
     assert (allowed.min(), allowed.max()) == pytest.approx((lower, upper), abs=1e-4)
 
@@ -230,9 +232,42 @@ def test_save_that_fails_leaves_the_old_picture_and_no_litter(tmp_path, figure, 
     assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [("ramp.png", b"old")]
 
 
-def test_save_refuses_a_name_that_does_not_end_in_png(tmp_path, figure):
-    with pytest.raises(ValueError, match=r"ramp\.pdf.*\.png"):
-        figures.save(figure, tmp_path / "ramp.pdf")
+def test_save_refuses_names_and_columns_that_it_does_not_know(tmp_path, figure):
+    with pytest.raises(ValueError, match=r"ramp\.jpg.*\.png"):
+        figures.save(figure, tmp_path / "ramp.jpg")
+    with pytest.raises(ValueError, match="columns = 3"):
+        figures.save(figure, tmp_path / "ramp.png", 3)
+    assert os.listdir(tmp_path) == []
+
+
+@pytest.mark.parametrize(("suffix", "begin"), [("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml")])
+def test_a_figure_is_saved_in_each_format_and_twice_with_the_same_bytes(tmp_path, suffix, begin):
+    for name in ("a", "b"):
+        figures.save(figures.smooth_saturation(Limits().pitch), tmp_path / f"{name}.{suffix}", 1)
+    saved = (tmp_path / f"a.{suffix}").read_bytes()
+    assert saved.startswith(begin)
+    assert saved == (tmp_path / f"b.{suffix}").read_bytes()
+
+
+@pytest.mark.parametrize(("columns", "width"), [(1, 3.5), (2, 7.16)])
+def test_for_print_a_figure_is_as_wide_as_the_columns(tmp_path, columns, width):
+    figure = figures.smooth_saturation(Limits().pitch)
+    figures.save(figure, tmp_path / "a.png", columns)
+    assert figure.get_size_inches()[0] == pytest.approx(width)
+    assert max(text.get_fontsize() for text in figure.findobj(Text)) <= 8.0
+
+
+def test_the_lines_of_the_gains_are_named_at_their_ends_without_overlap(paper_plan):
+    figure = figures.gains(riccati_gains(paper_plan))
+    for axes in figure.axes:
+        places = sorted(text.xyann[1] for text in axes.texts)
+        assert [len(axes.lines), len(places)] == [6, 6]
+        assert np.diff(places).min() > 0.085
+
+
+def test_the_axis_of_elevation_says_which_way_is_positive(paper_plan):
+    figure = figures.overview(paper_plan, {}, "a plan")
+    assert any("elevation" in axes.get_ylabel() and "positive down" in axes.get_ylabel() for axes in figure.axes)
 
 
 def test_figures_leave_matplotlib_s_settings_alone():

@@ -23,8 +23,6 @@ export const deg = (rad: number) => (rad * 180) / Math.PI;
 /** A number with a true minus sign. */
 export const shown = (value: number, digits: number) => value.toFixed(digits).replace(/^-(?=.*[1-9])/, "\u2212").replace(/^-/, "");
 
-/** One colour per policy, from the palette of Okabe and Ito, as in the figures. */
-export const COLOURS = ["#0072B2", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7A5195", "#8C6D31", "#6B7280"];
 export const REFERENCE = "#1d242d";
 
 /** Whether a key belongs to the control that has the focus. */

@@ -1,7 +1,7 @@
 // The live page: the helicopter simulated here, flown by the policies side by side along a plan that is chosen here.
 
 import { type ControlData, type Maker, controllersAlong } from "./controllers";
-import { COLOURS, FrameMeter, REFERENCE, View, deg, isForControl, keyHelp, make, shown } from "./dom";
+import { FrameMeter, REFERENCE, View, deg, isForControl, keyHelp, make, shown } from "./dom";
 import { Flight, type Rules } from "./flight";
 import { type Pair, hoverInput, voltages } from "./model";
 import { type Plan, integratePlan } from "./plan";
@@ -21,7 +21,7 @@ export interface LiveData extends ControlData {
   substep: number;
   plants: Record<string, unknown>;
   rig: Rig;
-  policies: { name: string; label: string; shown: boolean }[];
+  policies: { name: string; label: string; colour: string; shown: boolean }[];
   networks: Record<string, StoredNetwork>; // by the plant that each was trained on
   network_for: Record<string, string>; // by plant
   /** Parameters of (39), or null where no plan was found: plans[pitch limit][window][duration]. */
@@ -53,7 +53,7 @@ export function showLive(data: LiveData, main: HTMLElement): void {
     pitchStop: data.pitch_stop,
     substep: data.substep,
   };
-  const colours = data.policies.map((_, i) => COLOURS[i % COLOURS.length]);
+  const colours = data.policies.map(({ colour }) => colour);
   const papers = {
     duration: grid.durations.indexOf(data.paper.duration),
     pitch: grid.pitch_limits_deg.indexOf(data.paper.pitch_limit_deg),

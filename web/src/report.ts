@@ -1,6 +1,7 @@
 // The report of an evaluation: its table, and its flights to look at in 3D and in plots.
 
-import { COLOURS, FrameMeter, REFERENCE, View, deg, isForControl, keyHelp, make, shown } from "./dom";
+import { FrameMeter, REFERENCE, View, deg, isForControl, keyHelp, make, shown } from "./dom";
+import { Histograms } from "./histogram";
 import { type Pair, type Parameters, thrust, virtualInput } from "./model";
 import { Plot, type PlotOptions } from "./plots";
 import { type Pose, makeStage } from "./rig";
@@ -17,7 +18,9 @@ interface Group {
   label: string;
   step: number;
   reference: Samples;
-  flights: (Samples & { ended: string })[]; // one per policy
+  flights: ((Samples & { ended: string }) | null)[]; // one per policy; null where it has not flown
+  draw: [string, string][]; // parameters of the plant
+  errors: (number | null)[]; // deg, one per policy
 }
 
 export interface ReportData {
@@ -25,6 +28,9 @@ export interface ReportData {
   subtitle: string;
   table: { title: string; caption: string; columns: string[]; rows: string[][] };
   policies: string[];
+  labels: string[];
+  colours: string[];
+  errors: number[][]; // deg, of all episodes, one array per policy
   groups: Group[];
   gains: { step: number; K: number[][][] } | null; // 2 x 6 x K
   limits: { u: Pair; pitch: Pair };
@@ -33,14 +39,14 @@ export interface ReportData {
   rig: Rig;
 }
 
+type Lines = "flights" | "gains" | number; // one line per policy, none, or all of one policy
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
 const ANGLES = ["travel", "elevation", "pitch"];
 const GAIN_COLOURS = ["#0072B2", "#56B4E9", "#009E73", "#9bd3c0", "#CC79A7", "#e6bcd3"];
 const GAIN_LABELS = ["travel", "travel rate", "elevation", "elevation rate", "pitch", "pitch rate"];
 
 export function showReport(data: ReportData, main: HTMLElement): void {
-  const { policies, parameters, limits } = data;
-  const colours = policies.map((_, i) => COLOURS[i % COLOURS.length]);
+  const { policies, labels, colours, parameters, limits } = data;
   const durations = data.groups.map(({ reference, step }) => step * (reference.x[0].length - 1));
   const visible = policies.map(() => true);
   let group = data.groups[0];
@@ -63,8 +69,9 @@ export function showReport(data: ReportData, main: HTMLElement): void {
           "tr",
           n > 0 && row[0] !== data.table.rows[n - 1][0] ? { class: "section" } : {},
           ...row.map((cell, i) => {
-            const chip = i === 1 ? [make("i", { style: `background:${colours[policies.indexOf(cell)]}` })] : [];
-            return make("td", {}, ...chip, cell);
+            const known = i === 1 ? policies.indexOf(cell) : -1;
+            if (known < 0) return make("td", {}, cell);
+            return make("td", { title: cell }, make("i", { style: `background:${colours[known]}` }), labels[known]);
           }),
         ),
       ),
@@ -73,18 +80,19 @@ export function showReport(data: ReportData, main: HTMLElement): void {
 
   // The stage
 
-  const views = policies.map((policy, i) => new View(policy, colours[i]));
+  const views = policies.map((_, i) => new View(labels[i], colours[i]));
   const canvas = make("canvas", { role: "img", "aria-label": "the flights in 3D; drag to look from elsewhere" });
   const stageElement = make("div", { class: "stage" }, canvas, ...views.map((view) => view.element));
   const meter = new FrameMeter();
 
   // The plots
 
-  const reference = { label: "reference", colour: REFERENCE, dashed: true };
-  const flown = policies.map((label, i) => ({ label, colour: colours[i] }));
+  const reference = { label: "plan", colour: REFERENCE, dashed: true };
+  const flown = labels.map((label, i) => ({ label, colour: colours[i] }));
+  const fans = ["front", "back"];
   const common = { duration, sync: "report", onTime: (at: number) => seek(at) };
-  const plots: { plot: Plot; values: () => (number | null)[][]; lines: "flights" | "gains" }[] = [];
-  const addPlot = (options: Omit<PlotOptions, "duration">, values: () => (number | null)[][], lines: "flights" | "gains" = "flights") => {
+  const plots: { plot: Plot; values: () => (number | null)[][]; lines: Lines }[] = [];
+  const addPlot = (options: Omit<PlotOptions, "duration">, values: () => (number | null)[][], lines: Lines = "flights") => {
     const plot = new Plot({ ...common, ...options });
     plots.push({ plot, values, lines });
     return plot.element;
@@ -95,20 +103,32 @@ export function showReport(data: ReportData, main: HTMLElement): void {
   const pitchLimits = limits.pitch.map(deg) as Pair;
   const panels = ANGLES.flatMap((name, i) => [
     addPlot(
-      { title: name, unit: i === 1 ? "deg, down" : "deg", lines: [...flown, reference], ...(i === 2 && { limits: pitchLimits }) },
-      () => [...group.flights.map(({ x }) => toDegrees(x[2 * i])), toDegrees(group.reference.x[2 * i])],
+      { title: name, unit: i === 1 ? "deg, positive down" : "deg", lines: [...flown, reference], ...(i === 2 && { limits: pitchLimits }) },
+      () => [...group.flights.map((flight) => toDegrees(flight?.x[2 * i] ?? [])), toDegrees(group.reference.x[2 * i])],
     ),
-    addPlot({ title: `${name} error`, unit: i === 1 ? "deg, down" : "deg", lines: flown, digits: 2, range: [-0.01, 0.01] }, () =>
-      group.flights.map(({ x }) => toDegrees(x[2 * i].map((q, k) => q - group.reference.x[2 * i][k]))),
+    addPlot({ title: `${name} error`, unit: i === 1 ? "deg, positive down" : "deg", lines: flown, digits: 2, range: [-0.01, 0.01] }, () =>
+      group.flights.map((flight) => toDegrees((flight?.x[2 * i] ?? []).map((q, k) => q - group.reference.x[2 * i][k]))),
     ),
   ]);
-  const held = flown.map((line) => ({ ...line, held: true }));
-  panels.push(
-    ...["front voltage", "back voltage"].map((title, i) =>
-      addPlot({ title, unit: "V", lines: [...held, reference], limits: limits.u, range: data.amplifier }, () => [
-        ...group.flights.map(({ u }) => padded(u[i])),
-        padded(group.reference.u[i]),
-      ]),
+  // voltages as small multiples: one panel per policy, the same axes in all
+  const multiples = make(
+    "div",
+    { class: "multiples" },
+    ...policies.map((_, i) =>
+      addPlot(
+        {
+          title: labels[i],
+          unit: "V",
+          lines: [
+            ...fans.map((label, n) => ({ label, colour: n === 0 ? colours[i] : REFERENCE, held: true })),
+            ...fans.map((label) => ({ label: `${label}, plan`, colour: "#8a94a1", dashed: true })),
+          ],
+          limits: limits.u,
+          range: data.amplifier,
+        },
+        () => [...fans.map((_, n) => padded(group.flights[i]?.u[n] ?? [])), ...fans.map((_, n) => padded(group.reference.u[n]))],
+        i,
+      ),
     ),
   );
   const { gains } = data;
@@ -158,6 +178,8 @@ export function showReport(data: ReportData, main: HTMLElement): void {
 
   // The controls
 
+  const histograms = data.errors.some((own) => own.length > 1) ? new Histograms(data.errors, labels, colours) : null;
+  const drawList = make("dl", { class: "draw" });
   const slider = make("input", { type: "range", min: 0, max: duration, step: 0.01, value: 0, "aria-label": "time", id: "time" });
   const clock = make("output", { for: "time" });
   const playButton = make("button", { class: "primary", click: () => play(!playing) }, "Play");
@@ -169,9 +191,9 @@ export function showReport(data: ReportData, main: HTMLElement): void {
     ...policies.map((policy, i) => {
       const box = make("input", { type: "checkbox", checked: true });
       box.addEventListener("change", () => setVisible(i, box.checked));
-      return make("label", { style: `--colour:${colours[i]}` }, box, policy);
+      return make("label", { style: `--colour:${colours[i]}`, title: policy }, box, labels[i]);
     }),
-    make("span", { class: "line dashed" }, "reference"),
+    make("span", { class: "line dashed" }, "plan"),
   );
   slider.addEventListener("input", () => seek(Number(slider.value)));
   speedChoice.addEventListener("change", () => (speed = Number(speedChoice.value)));
@@ -180,11 +202,17 @@ export function showReport(data: ReportData, main: HTMLElement): void {
   main.append(
     make("header", {}, make("h1", {}, data.title), make("p", {}, data.subtitle)),
     make("section", {}, make("h2", {}, "Results"), make("p", {}, data.table.title), make("div", { class: "scroll" }, table), make("p", { class: "small" }, data.table.caption)),
-    make("section", {}, make("h2", {}, "Flights"), make("div", { class: "bar" }, make("label", {}, "flights ", groupChoice), legend), stageElement),
+    make("section", {}, make("h2", {}, "Flights"), make("div", { class: "bar" }, make("label", {}, "flights ", groupChoice), legend), stageElement, drawList),
+    ...(histograms === null
+      ? []
+      : [make("section", {}, make("h2", {}, "RMS error over all episodes (deg)"), histograms.element, make("p", { class: "small" }, "Travel and elevation together, on a logarithmic axis; the line marks the flight that is shown."))]),
     make(
       "section",
       {},
       make("div", { class: "panels" }, ...panels, ...sets.map((set) => set.element)),
+      make("h2", {}, "Voltages"),
+      make("p", { class: "small" }, "Coloured: front motor; black: back motor; dashed: the plan."),
+      multiples,
       make("p", { class: "small" }, "Shaded: beyond the limits of the plan. Drag across a plot to zoom, double-click to see all, click to go to a time."),
     ),
     make(
@@ -201,10 +229,21 @@ export function showReport(data: ReportData, main: HTMLElement): void {
 
   function setVisible(i: number, on: boolean): void {
     visible[i] = on;
-    views[i].element.hidden = !on;
-    for (const { plot, lines } of plots) if (lines === "flights") plot.setVisible(i, on);
-    for (const set of sets) set.setVisible(i, on);
+    showLines();
     draw(0);
+  }
+
+  function showLines(): void {
+    policies.forEach((_, i) => {
+      const on = visible[i] && group.flights[i] !== null;
+      views[i].element.hidden = !on;
+      for (const { plot, lines } of plots) {
+        if (lines === "flights") plot.setVisible(i, on);
+        else if (lines === i) plot.element.hidden = !on;
+      }
+      for (const set of sets) set.setVisible(i, on);
+      histograms?.setVisible(i, visible[i] && data.errors[i].length > 0);
+    });
   }
 
   function choose(index: number): void {
@@ -214,9 +253,13 @@ export function showReport(data: ReportData, main: HTMLElement): void {
     slider.max = `${duration}`;
     const times = group.reference.x[0].map((_, k) => k * group.step);
     for (const { plot, values } of plots) plot.show(times, values());
-    const pairs = group.flights.map(({ u }) => u[0].map((front, k): Pair => [front, u[1][k]]));
+    const pairs = group.flights.map((flight) => (flight?.u[0] ?? []).map((front, k): Pair => [front, flight!.u[1][k]]));
     sets[0].show(pairs);
     sets[1].show(pairs.map((path) => path.map((u) => virtualInput(u, parameters).reverse() as Pair)));
+    drawList.replaceChildren(...group.draw.map(([name, value]) => make("div", {}, make("dt", {}, name), make("dd", {}, value))));
+    drawList.hidden = group.draw.length === 0;
+    histograms?.mark(group.errors);
+    showLines();
     seek(Math.min(time, duration));
   }
 
@@ -234,6 +277,7 @@ export function showReport(data: ReportData, main: HTMLElement): void {
     const poses: Pose[] = [];
     const ghost = group.reference.x.map((values) => at(values, sample));
     group.flights.forEach((flight, i) => {
+      if (flight === null) return;
       const last = flight.x[0].length - 1;
       const x = flight.x.map((values) => at(values, sample));
       const u = flight.u.map((values) => values[Math.min(Math.floor(sample), last)]) as Pair;
@@ -277,7 +321,7 @@ export function showReport(data: ReportData, main: HTMLElement): void {
     else return;
     event.preventDefault();
   });
-  choose(data.groups.length - 1);
+  choose(0);
   requestAnimationFrame(frame);
 }
 

@@ -9,14 +9,14 @@ const MARGIN = { left: 44, right: 10, top: 10, bottom: 38 };
 const TAIL = 75; // samples
 const SVG = "http://www.w3.org/2000/svg";
 
-function svg(tag: string, attributes: Record<string, string | number>, text = ""): SVGElement {
+export function svg(tag: string, attributes: Record<string, string | number>, text = ""): SVGElement {
   const element = document.createElementNS(SVG, tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   element.textContent = text;
   return element;
 }
 
-const joined = (points: Pair[]) => points.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(" ");
+export const joined = (points: Pair[]) => points.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(" ");
 
 export interface SetOptions {
   title: string;
@@ -88,7 +88,8 @@ export class SetPlot {
   /** Puts the dots to a sample; a flight that ended sooner stays at its end. */
   seek(sample: number): void {
     this.dots.forEach((dot, i) => {
-      const points = this.points[i];
+      const points = this.points[i] ?? [];
+      if (points.length === 0) return;
       const now = Math.min(sample, points.length - 1);
       const [x, y] = points[now];
       this.tails[i].setAttribute("points", joined(points.slice(Math.max(0, now - TAIL), now + 1)));
