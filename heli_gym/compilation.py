@@ -1,5 +1,7 @@
-"""How the equations are compiled: as they stand, for one kind of number, and kept on disk while they stay the same."""
+"""Compilation of the equations: as they stand, for one dtype, cached on disk while they stay the same."""
 
+import logging
+import warnings
 from collections.abc import Callable, Collection, Mapping
 from functools import cache
 from hashlib import sha256
@@ -17,12 +19,12 @@ class Compiler:
     """Compiles functions together with all that they call, for numbers of one dtype.
 
     Args:
-        dtype: of all literals, for numba takes them for double precision and would compute in that what meets one.
-        names: what certain names, `sin` say, mean in all functions.
+        dtype: of all literals, which numba would otherwise take for double precision.
+        names: meanings of certain names, such as `sin`, in all functions.
         loops: functions that are compiled on their own, so that their loops become SIMD before they meet others; all
             others are inlined.
-        careful: functions that must not assume that nothing is NaN.
-        fast: the liberties that all others take, by LLVM's names.
+        careful: functions that must not assume that all values are finite.
+        fast: LLVM's fast-math flags for all others.
     """
 
     def __init__(
@@ -36,11 +38,11 @@ class Compiler:
         self.dtype, self.names, self.loops, self.careful, self.fast = dtype, names, loops, careful, set(fast)
         self.known: dict[Callable, Callable] = {}
 
-    def entry(self, function: Any, signature: Any = None) -> Callable:
-        """A function that Python calls, kept on disk; with a signature, other arguments are a TypeError.
+    def entry(self, function: Any, signature: Any = None, nogil: bool = False) -> Callable:
+        """Compile a function that Python calls, cached on disk; with a signature, other arguments are a TypeError.
 
-        Numba keeps what it compiles for a function and its file, and for the values in its closure. So what describes
-        all that is called is put into that.
+        With `nogil`, other Python threads run meanwhile. Numba caches what it compiles by the function's file and the
+        values in its closure, so that a digest of all that is called is put into that.
         """
         version = self.version(function)
 
@@ -52,7 +54,12 @@ class Compiler:
         code = code.replace(co_freevars=("version",), co_consts=self.of_dtype(code.co_consts))
         copy = FunctionType(code, self.meanings(function), function.__name__, function.__defaults__, key.__closure__)
         copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
-        return numba.njit(signature, cache=True, error_model="numpy", fastmath=self.fast)(copy)
+        compiled = numba.njit(error_model="numpy", fastmath=self.fast, nogil=nogil)(copy)
+        cache_on_disk(compiled)
+        if signature is not None:
+            compiled.compile(signature)
+            compiled.disable_compile()
+        return compiled
 
     def version(self, function: Any) -> str:
         """A digest of what is compiled: a function, all that it calls, the numbers that these use, and how."""
@@ -100,6 +107,62 @@ class Compiler:
         if isinstance(constant, tuple) and not hasattr(constant, "_fields"):
             return tuple(map(self.of_dtype, constant))
         return self.dtype(constant) if type(constant) is float else constant
+
+
+class Cache:
+    """Numba's cache of a function, whose failures cost a compilation instead of the flight: a warning tells of them."""
+
+    def __init__(self, cache: Any) -> None:
+        self.cache = cache
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.cache, name)
+
+    def load_overload(self, *arguments: Any) -> Any:
+        """Load a compiled function; None where there is none, or none that can be read."""
+        try:
+            loaded = self.cache.load_overload(*arguments)
+        except Exception as error:  # numba unpickles the file: a damaged one raises anything
+            warn_uncached(f"cannot be read: {error!r}")
+            loaded = None
+        if loaded is None:
+            announce_compilation()
+        return loaded
+
+    def save_overload(self, *arguments: Any) -> None:
+        """Save a compiled function, if that is possible."""
+        try:
+            self.cache.save_overload(*arguments)
+        except Exception as error:  # a full or read-only disk, or a damaged index
+            warn_uncached(f"cannot be written: {error!r}")
+
+
+def cache_on_disk(compiled: Any) -> None:
+    """Have numba cache a compiled function on disk, if there is a place where it can."""
+    try:
+        compiled.enable_caching()
+    except RuntimeError as error:  # numba finds no folder that it may write to
+        warn_uncached(f"cannot be written: {error}")
+        announce_compilation()
+    else:
+        compiled._cache = Cache(compiled._cache)
+
+
+@cache
+def announce_compilation() -> None:
+    """Tell, once in a process, that it compiles."""
+    logging.getLogger("heli_gym").warning("heli_gym: compiling, about 10 s; later runs load what is compiled")
+
+
+def warn_uncached(reason: str) -> None:
+    """Warn, once in a process, that compiled functions are not cached."""
+    if not warned:
+        warned.append(reason)
+        message = f"the cache of compiled functions {reason}; they are compiled anew in each process"
+        warnings.warn(message, RuntimeWarning, stacklevel=2)
+
+
+warned: list[str] = []
 
 
 def contents(code: CodeType) -> tuple:

@@ -122,6 +122,11 @@ def are_finite(values: Any) -> bool:
     return bad == 0
 
 
+def all_finite(values: Any) -> bool:
+    """Whether all values of an array (N, 2) are finite."""
+    return are_finite(values.reshape(-1))
+
+
 def reset(
     blocks: Any,
     settings: Any,
@@ -161,19 +166,25 @@ def write_outputs(
         observe(block, i, s, table, features, observation, OBSERVED * j)
 
 
-def step(blocks: Any, settings: Any, table: Any, actions_2d: Any, observation_2d: Any, outputs_2d: Any) -> int:
-    """Fly a control step of all helicopters under actions (N, 2) and return the number of flights that are over.
+def step(
+    blocks: Any,
+    settings: Any,
+    table: Any,
+    actions_2d: Any,
+    observation_2d: Any,
+    outputs_2d: Any,
+    begin: int,
+    end: int,
+) -> int:
+    """Fly a control step of the blocks [begin, end) under actions (N, 2) and return the number of flights that end.
 
-    Writes observations (N, OBSERVED) and outputs, the first rows (..., N). If an action is not finite, nothing is done
-    and NOT_FINITE returned.
+    Writes observations (N, OBSERVED) and outputs, the first rows (..., N), of these blocks.
     """
     actions, observation, outputs = actions_2d.reshape(-1), observation_2d.reshape(-1), outputs_2d.reshape(-1)
-    if not are_finite(actions):
-        return NOT_FINITE
     s, count = shared(settings), len(actions) // 2
     size = len(blocks) // ((count + LANES - 1) // LANES)
     over = 0.0
-    for b in range(len(blocks) // size):
+    for b in range(begin, end):
         block, first = blocks[b * size : (b + 1) * size], b * LANES
         n = min(LANES, count - first)
         command(block, n, s, actions, first)
@@ -233,6 +244,7 @@ class Kernels(NamedTuple):
     reset: Callable
     write_outputs: Callable
     step: Callable
+    are_finite: Callable
 
 
 @cache
@@ -242,7 +254,12 @@ def kernels(dtype: type, rhs: Callable, fly: Callable) -> Kernels:
     Each is compiled at its first call, and cached on disk.
     """
     start_up, compiler = compiler_of(dtype, equation_3, step_equation_3), compiler_of(dtype, rhs, fly)
-    return Kernels(start_up.entry(reset), start_up.entry(write_outputs), compiler.entry(step))
+    return Kernels(
+        start_up.entry(reset),
+        start_up.entry(write_outputs),
+        compiler.entry(step, nogil=True),
+        start_up.entry(all_finite),
+    )
 
 
 @cache

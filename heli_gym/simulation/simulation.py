@@ -3,6 +3,7 @@
 import itertools
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -51,6 +52,7 @@ from heli_gym.simulation.layout import (
     shared,
 )
 from heli_gym.simulation.start import NEARLY, Ranges
+from heli_gym.simulation.workers import Workers
 from heli_gym.task import OBSERVED, TABLE_WIDTH, control_steps, hover_voltage, reference_table
 from heli_gym.thrust_map import TableCurve
 from heli_gym.trajectory import Sampler, Trajectory
@@ -163,6 +165,7 @@ class Simulation:
         random_start: whether flights start at a random time of their reference, rather than at its start.
         dtype: of the numbers, np.float64 or np.float32.
         hover: V (2,) or (2, N), of the action zero; by default of Table I.
+        threads: that share a step, which is the same for any number of them.
 
     Raises:
         ValueError: if only some of the plants are rigid bodies.
@@ -179,7 +182,9 @@ class Simulation:
         random_start: bool = False,
         dtype: type = np.float64,
         hover: np.ndarray | None = None,
+        threads: int = 1,
     ) -> None:
+        self.threads = threads
         self.plants, self.sources, self.dtype = list(plants), list(references), dtype
         self.control_period, self.voltage_limits, self.pitch_limit = control_period, voltage_limits, pitch_limit
         all_plants = [p for p, _ in group_by_identity(plants)]
@@ -265,13 +270,13 @@ class Simulation:
 
     def _bind(self) -> None:
         """Set what is not pickled: the compiled functions, and views on the parts of the memory."""
-        self.kernels = kernels.kernels(self.dtype, self.rhs, self.fly)
+        self.kernels, self.workers = kernels.kernels(self.dtype, self.rhs, self.fly), Workers(self.threads)
         end = SETTINGS + -(-len(self.plants) // LANES) * self.size
         self.settings, self.blocks, self.flat_table = np.split(self.memory, (SETTINGS, end))
         self.table = self.flat_table.reshape(-1, TABLE_WIDTH)
 
     def __getstate__(self) -> dict[str, Any]:
-        bound = ("kernels", "settings", "blocks", "flat_table", "table")
+        bound = ("kernels", "settings", "blocks", "flat_table", "table", "workers")
         return {name: value for name, value in vars(self).items() if name not in bound}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -373,8 +378,13 @@ class Simulation:
         """
         observation, outputs = self.arrays()
         self.actions[:] = actions
-        over = self.kernels.step(self.blocks, self.settings, self.flat_table, self.actions, observation, outputs)
-        return over, observation, outputs
+        if not self.kernels.are_finite(self.actions):
+            return kernels.NOT_FINITE, observation, outputs
+        memory = self.blocks, self.settings, self.flat_table, self.actions, observation, outputs
+        count = len(self.blocks) // self.size
+        if self.threads == 1:
+            return self.kernels.step(*memory, 0, count), observation, outputs
+        return self.workers.run(partial(self.kernels.step, *memory), count), observation, outputs
 
     def rows(self, first: int, count: int) -> np.ndarray:
         """Rows of all helicopters, (count, N)."""

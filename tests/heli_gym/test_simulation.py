@@ -2,6 +2,8 @@ import os
 import pickle
 import subprocess
 import sys
+import threading
+import time
 
 import numpy as np
 import pytest
@@ -16,6 +18,7 @@ from heli_gym.simulation import kernels, motion
 from heli_gym.simulation.fast_math import cosine, sine, standard_normal
 from heli_gym.simulation.layout import COMMAND, LANES, REWARD, TIME, TRUNCATED, X
 from heli_gym.simulation.simulation import Simulation
+from heli_gym.simulation.workers import Workers
 from heli_gym.task import hover_voltage, reward, to_voltage
 
 REFERENCE = find_reference("travel-360")
@@ -49,7 +52,7 @@ def interpreted(flights, patch):
     copy = pickle.loads(pickle.dumps(flights))
     patch.setattr(motion, "derivative", flights.rhs)
     patch.setattr(kernels, "fly", flights.fly)
-    copy.kernels = kernels.Kernels(kernels.reset, kernels.write_outputs, kernels.step)
+    copy.kernels = kernels.Kernels(kernels.reset, kernels.write_outputs, kernels.step, kernels.all_finite)
     return copy
 
 
@@ -92,6 +95,39 @@ def test_single_precision_flies_nearly_the_same(name):
         (_, _, exact), (_, _, close) = double.step(action), single.step(action)
     assert close.dtype == np.float32
     assert_allclose(close[X : X + 6], exact[X : X + 6], rtol=0.0, atol=2e-4)
+
+
+@pytest.mark.parametrize("name", ["nominal", "lab"])
+def test_flights_are_the_same_for_any_number_of_threads(name):
+    n = 20 * LANES + 3
+    flights, first, controls = [], [], actions(12, n)
+    for threads in (1, 2, 5):
+        flights.append(simulation([PLANTS[name]] * n, threads=threads, start_spread=0.05))
+        flights[-1].workers.means[False] = 1e9  # so that the threads are used
+        outputs = [flights[-1].step(action) for action in controls]
+        first = first or outputs
+        for (over, *arrays), (over_too, *others) in zip(outputs, first):
+            assert over == over_too
+            for a, b in zip(arrays, others):
+                assert_array_equal(a, b)
+
+
+def test_workers_do_each_block_once_and_leave_the_other_threads_out_where_these_are_slower():
+    def task(begin, end):
+        if threading.current_thread() is not threading.main_thread():
+            time.sleep(0.002)
+        else:
+            time.sleep(1e-5 * (end - begin))
+        done.extend(range(begin, end))
+        return end - begin
+
+    workers, done = Workers(3), []
+    for _ in range(60):
+        done.clear()
+        assert workers.run(task, 40) == 40
+        assert sorted(done) == list(range(40))
+    assert workers.means[False] < workers.means[True]
+    assert workers.next_probe > 60
 
 
 @pytest.mark.parametrize("n", [1, LANES - 1, LANES, LANES + 1, 3 * LANES + 8])
@@ -225,3 +261,51 @@ print(json.dumps([imported, len(recorder.buffer)]))
     assert runs[0].startswith("[0, ")
     assert not runs[0].startswith("[0, 0]")
     assert runs[1].startswith("[0, 0]")
+
+
+def test_a_flight_takes_place_where_nothing_can_be_cached_with_one_warning():
+    script = """
+import warnings, os
+import numba.core.caching as caching
+def nowhere(*arguments, **options):
+    return None
+for locator in caching.CacheImpl._locator_classes:
+    locator.from_function = classmethod(nowhere)
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    import heli_gym.env
+    env = heli_gym.env.Heli3DOFEnv()
+    env.reset(seed=0)
+    assert env.step(env.action_space.sample())[1] > 0.0
+print(len([w for w in caught if "cache" in str(w.message)]))
+"""
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert run.stdout.split() == ["1"]
+    assert "compiling" in run.stderr
+
+
+@pytest.mark.slow
+def test_a_damaged_cache_costs_a_warning_and_not_the_flight(tmp_path):
+    script = """
+import warnings
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    import heli_gym.env
+    env = heli_gym.env.Heli3DOFEnv()
+    env.reset(seed=0)
+    assert env.step(env.action_space.sample())[1] > 0.0
+print(len([w for w in caught if "cache" in str(w.message)]))
+"""
+    warned = []
+    for _ in range(2):
+        run = subprocess.run(
+            [sys.executable, "-c", script],
+            capture_output=True,
+            text=True,
+            check=True,
+            env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)},
+        )
+        warned.append(run.stdout.split())
+        for path in (*tmp_path.rglob("*.nbi"), *tmp_path.rglob("*.nbc")):
+            path.write_bytes(path.read_bytes()[:-7])
+    assert warned == [["0"], ["1"]]
