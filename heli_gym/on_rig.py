@@ -5,7 +5,7 @@ from typing import Any
 
 from heli_gym.flatness import replanned
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import DRAG_RATIO, PLANTS, Friction, OneOf, Plant, Uniform, find_plant
+from heli_gym.plant import DRAG_RATIO, NOMINAL_RIGS, PLANTS, Friction, OneOf, Plant, Uniform, find_plant
 from heli_gym.rig import PAPER, Rig, check_same_rig, find_rig, same_dynamics
 from heli_gym.rigid_body import VARIANTS, solve_rigid_body
 from heli_gym.thrust_map import PowerCurve, ThrustMap
@@ -46,9 +46,12 @@ def shifted(value: Any, by: float) -> Any:
 
 
 def rig_to_fly(rig: Any, plant: Plant, reference: Any) -> Rig:
-    """The rig of an environment: the one given; or the reference's, if the plant is one of these; or the paper's."""
+    """The rig of an environment: the one given; or the reference's, if the plant is one of these; or the preset's."""
     if rig is not None:
         return find_rig(rig)
+    preset = next((name for name, known in PLANTS.items() if known is plant), "nominal")
+    if NOMINAL_RIGS[preset] != PAPER.name:
+        return find_rig(NOMINAL_RIGS[preset])
     own = reference.rig if isinstance(reference, Trajectory) else PAPER
     is_own = own.parameters[2:] == plant.parameters[2:] and plant_thrust_map(plant) == own.thrust_map
     return own if is_own else PAPER

@@ -52,7 +52,7 @@ def test_the_next_process_loads_what_this_one_compiled():
     code = (
         "from heli_gym.baselines.planning import replay; import numpy as np;"
         "from heli_gym import HelicopterParameters as P;"
-        "k = replay.replay_kernel(); k(np.zeros(6), np.full((2, 3), 0.6), 1.0, P());"
+        "k = replay.replay_kernel(); k(np.zeros(6), np.full((2, 3), 0.6), np.linspace(0.0, 1.0, 3), P());"
         "print(sum(k.stats.cache_hits.values()), sum(k.stats.cache_misses.values()))"
     )
     runs = [subprocess.run([sys.executable, "-c", code], capture_output=True, text=True) for _ in range(2)]
