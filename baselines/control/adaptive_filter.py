@@ -31,6 +31,8 @@ N_FLIGHT = 8  # states before the parameters
 LOWEST = (0.02, 0.5, 0.0, 0.0, 0.0, -1.5, -1.5, -3.0, -3.0, -3.0)
 HIGHEST = (0.5, 1.5, 1.5, 1.5, 1.5, 1.5, 1.5, 3.0, 3.0, 3.0)
 SURPRISE = 6.0  # standard deviations of an innovation that no model explains: a knock, or a slip of the encoder
+# Ranges of the coefficients of `unmodelled`: of the bodies of such rigs, and of any body.
+LIFT, TURN = Uniform(-0.17, 0.17), Uniform(-1.0, 0.0)
 ROTOR_DEVIATION = 0.3  # V, of the rotor speeds before a flight
 N_SAMPLES = 129  # of the thrust map
 STEP = 1e-6  # of the differences, in units of the states
@@ -66,7 +68,6 @@ class FilterNoise(NamedTuple):
     elevation_disturbance: float = 0.008
     pitch_disturbance: float = 0.03
     parameters: float = 0.02  # random walk of the other parameters, in prior standard deviations per sqrt(s)
-    centrifugal: tuple[float, float] = (0.1, 0.5)  # prior standard deviations of the coefficients, about zero
     start_disturbance: float = 0.03  # rad/s², standard deviation before a flight
     adaptive: bool = True  # whether parameters are estimated, or stay at the means of their priors
 
@@ -321,11 +322,11 @@ class AdaptiveFilter:
 
 
 def prior_moments(noise: FilterNoise) -> tuple[np.ndarray, np.ndarray]:
-    """Means and standard deviations (7,) of the parameters, most of them of documented uniform ranges."""
+    """Means and standard deviations (7,) of the parameters, of documented uniform ranges."""
     loss: Uniform = LAB_ROTORS.thrust_loss
-    ranges = [LAB_ROTORS.lag, Uniform(1.0 - loss.high, 1.0 - loss.low), *LAB_FRICTION.viscous]
-    mean = np.array([*(0.5 * (one.low + one.high) for one in ranges), 0.0, 0.0])
-    deviation = np.array([*((one.high - one.low) / math.sqrt(12.0) for one in ranges), *noise.centrifugal])
+    ranges = [LAB_ROTORS.lag, Uniform(1.0 - loss.high, 1.0 - loss.low), *LAB_FRICTION.viscous, LIFT, TURN]
+    mean = np.array([0.5 * (one.low + one.high) for one in ranges])
+    deviation = np.array([(one.high - one.low) / math.sqrt(12.0) for one in ranges])
     return mean, deviation if noise.adaptive else np.zeros(len(mean))
 
 

@@ -16,6 +16,7 @@ from heli_gym.baselines.control.model_based import kalman_lqr, lag_lqi, lag_lqr,
 from heli_gym.baselines.control.predictive import adaptive_lqr, adaptive_mpc, nmpc
 from heli_gym.baselines.control.protocol import Policy, is_finite
 from heli_gym.baselines.control.residual import LEARNED, learned_policy
+from heli_gym.baselines.control.safety import safety_filter
 from heli_gym.baselines.control.scheduled import gain_scheduled
 from heli_gym.baselines.control.tracking import feedforward_tvlqr, hover_lqr, open_loop
 from heli_gym.baselines.control.weights import WEIGHTS, weights_of
@@ -29,6 +30,7 @@ def stored(path: Any, reference: Trajectory, control_period: float, rig: Rig) ->
     return learned_policy(path, reference, control_period, rig, make_base=make_policy)
 
 
+SAFE = "+safe"  # ends the name of a policy behind a `SafetyFilter`
 POLICIES: dict[str, Callable[..., Policy]] = {
     "open-loop": open_loop,
     "feedforward+tvlqr": feedforward_tvlqr,
@@ -53,7 +55,7 @@ POLICIES: dict[str, Callable[..., Policy]] = {
 
 def is_learned(name: str) -> bool:
     """Whether the policy of this name was learned, and so flies at the control period of its training only."""
-    return name.startswith("residual") or name.endswith(".json")
+    return name.startswith("residual") or name.removesuffix(SAFE).endswith(".json")
 
 
 def make_policy(
@@ -69,7 +71,8 @@ def make_policy(
 
     Args:
         name: of `POLICIES`; "lqi@lab", say, has the weights that `heli-tune --store` stored for the plant lab. A name
-            that ends in .json is the path of a learned policy; see the module `residual`.
+            that ends in .json is the path of a learned policy; see the module `residual`. With "+safe" at its end, the
+            policy flies behind a `safety.SafetyFilter`.
         reference: trajectory to track.
         control_period: s.
         parameters: coefficients of (2) and (3) that the policy assumes, in place of a rig.
@@ -89,7 +92,10 @@ def make_policy(
     limits = rig.voltage_limits if voltage_limits is None else tuple(voltage_limits)
     if not (len(limits) == 2 and all(map(is_finite, limits)) and limits[0] < limits[1]):
         raise ValueError(f"voltage_limits = {voltage_limits!r}: must be two finite voltages, the lower one first")
-    if str(name).endswith(".json") and weights is None:
+    if str(name).endswith(SAFE):
+        base = make_policy(str(name).removesuffix(SAFE), reference, control_period, None, weights, limits, rig)
+        policy: Policy = safety_filter(base, reference, control_period, rig)
+    elif str(name).endswith(".json") and weights is None:
         policy = stored(name, reference, control_period, rig)
     else:
         kind, _, plant = str(name).partition("@")

@@ -6,7 +6,7 @@ regulator of `kalman-lqr` on the adaptive filter. All know the nominal parameter
 of the plant `lab`, never a draw.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -87,6 +87,8 @@ class FilteredPolicy(StatefulPolicy):
 
     def init(self, t: float | np.ndarray, measurement: np.ndarray) -> Memory:
         """Prior about the reference, rotors at its voltages, no plan."""
+        if self.filter.voltage_limits != self.voltage_limits:
+            self.filter = replace(self.filter, voltage_limits=self.voltage_limits)
         now = np.broadcast_to(self.index(t), (measurement[0].size,))
         x, u = self.x[:, now], self.u[:, now]
         return Memory(self.filter.init(x, u), (u,) * self.delay, None)

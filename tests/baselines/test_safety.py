@@ -1,0 +1,53 @@
+"""The safety filter: pitch stays within the stop whatever the policy asks for, and nothing changes far from it."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_array_equal
+
+from heli_gym.baselines import fly, make_policy
+from heli_gym.baselines.control.protocol import MemorylessPolicy
+from heli_gym.baselines.control.safety import safety_filter
+from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.plant import Plant, Rotors
+from heli_gym.rig import PAPER
+
+REFERENCE = find_reference("travel-360")
+LAGGING = Plant(rotors=Rotors(lag=0.1, delay=0.02))
+
+
+class Reckless(MemorylessPolicy):
+    """All power on one side, the other side after a while."""
+
+    def __init__(self, side):
+        self.side = side
+
+    def __call__(self, t, measurement):
+        u = np.array([12.0, 0.0]) if (t < 1.5) == self.side else np.array([0.0, 12.0])
+        return u[:, None] + np.zeros(measurement.shape[1:]) if measurement.ndim > 1 else u
+
+
+@pytest.mark.parametrize("plant", [LAGGING, "lab", "rigid", "nominal"])
+@pytest.mark.parametrize("side", [True, False])
+def test_a_reckless_policy_crashes_at_once_alone_and_not_behind_the_filter(plant, side):
+    env = Heli3DOFEnv(plant)
+    assert fly(env, Reckless(side), seed=1).duration < 1.5
+    safe = fly(env, safety_filter(Reckless(side), REFERENCE, 0.02, PAPER), seed=1)
+    assert safe.duration == pytest.approx(10.0)
+    assert np.degrees(np.abs(safe.x[4]).max()) > 55.0  # no more careful than it must be
+
+
+@pytest.mark.parametrize("name", ["feedforward+tvlqr", "kalman-lqr"])
+def test_far_from_the_stop_the_policy_flies_bit_for_bit(name):
+    env = Heli3DOFEnv()
+    plain, safe = (fly(env, make_policy(one, REFERENCE), seed=0) for one in (name, f"{name}+safe"))
+    assert_array_equal(safe.u, plain.u)
+
+
+def test_the_filter_broadcasts():
+    policy = make_policy("kalman-lqr+safe", REFERENCE)
+    x = REFERENCE(np.zeros(4))[0]
+    x[4:] += np.outer([1.0, 2.0], [0.0, 0.5, 1.0, -1.0])
+    together = policy(0.0, x)
+    for i in range(4):
+        policy.reset(np.random.default_rng(0))
+        np.testing.assert_allclose(policy(0.0, x[:, i]), together[:, i], rtol=1e-12)
