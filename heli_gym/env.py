@@ -21,7 +21,7 @@ from heli_gym.on_rig import plant_on_rig, reference_on_rig, rig_to_fly
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer, RenderState
-from heli_gym.rig import PAPER, Rig, same_dynamics
+from heli_gym.rig import PAPER, Rig, find_rig, same_dynamics
 from heli_gym.simulation.kernels import ARRIVED, CRASHED, ENDED_OFF_GOAL, FLYING, NOT_FINITE, one_step
 from heli_gym.simulation.layout import COMMAND, LAST, MEASURED, N_OUTPUTS_SENSED, REFERENCE_ROW, STEP, TIME, X
 from heli_gym.simulation.simulation import Simulation
@@ -81,6 +81,17 @@ def _check_duration(name: Any, reference: Trajectory) -> None:
 def is_packaged(reference: object) -> bool:
     """Whether a reference is given by the name of a packaged one."""
     return isinstance(reference, str) and not reference.endswith(".npz")
+
+
+def reference_for(reference: str | Trajectory, rig: str | Rig, force: bool = False) -> Trajectory:
+    """A reference by its name or file, for a rig: a packaged one planned anew where the rig cannot fly it.
+
+    Raises ValueError for a plan for another rig unless forced, which takes it as one for this rig.
+    """
+    rig, found = find_rig(rig), find_reference(reference)
+    if force and not is_packaged(reference) and not same_dynamics(found.rig, rig):
+        return replace(found, rig=rig)
+    return reference_on_rig(found, rig, is_packaged(reference))
 
 
 class Heli3DOFEnv(gym.Env):

@@ -26,7 +26,7 @@ def plant_on_rig(plant: str | Plant, rig: Rig) -> Plant:
     changes: dict[str, Any] = {"parameters": rig.parameters}
     if not rig.thrust_map.is_quadratic and found.thrust_map is None:
         changes["thrust_map"] = rig.thrust_map
-    if found is PLANTS["rigid"]:
+    if found.rig == PLANTS["rigid"].rig:
         try:
             bodies = tuple(solve_rigid_body(variant, rig.parameters)._replace(kappa=DRAG_RATIO) for variant in VARIANTS)
         except ValueError as error:

@@ -17,11 +17,12 @@ import numpy as np
 from scipy.linalg import solve_continuous_are
 
 from heli_gym.cli import command, print_version
-from heli_gym.env import Heli3DOFEnv
-from heli_gym.model import fan_thrusts, hover_input, inverse_dynamics, linearise, thrust_vector, voltage
+from heli_gym.env import Heli3DOFEnv, reference_for
+from heli_gym.model import fan_thrusts, hover_input, inverse_dynamics, linearise, thrust_vector
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.rendering import load_pygame
-from heli_gym.task import EFFORT_TOLERANCE, TOLERANCE
+from heli_gym.rig import PAPER, Rig
+from heli_gym.task import TOLERANCE
 
 LIFT, ROLL = 1.5, 0.6  # V on each fan, for as long as a key is held
 FASTEST = np.array((0.9, 0.15))  # rad/s, travel and elevation of the set-point, while a key is held
@@ -36,11 +37,12 @@ class Assist(gym.Wrapper):
     rates follow with a double lag, so that neither they nor its accelerations jump.
     """
 
-    def __init__(self, env: gym.Env, parameters: HelicopterParameters = HelicopterParameters()) -> None:
+    def __init__(self, env: gym.Env) -> None:
         super().__init__(env)
         self.helicopter: Heli3DOFEnv = env.unwrapped  # type: ignore[assignment]
-        self.parameters = parameters
-        self.gain = hold_gain(parameters)
+        self.rig = self.helicopter.rig
+        self.gain = hold_gain(self.rig)
+        self.highest, self.lowest = elevation_range(self.rig)
 
     def reset(self, **options: Any) -> tuple[np.ndarray, dict[str, Any]]:
         """Also puts the set-point where the helicopter is, at rest."""
@@ -54,26 +56,37 @@ class Assist(gym.Wrapper):
         period = self.helicopter.control_period
         asked = FASTEST * np.clip(action, -1.0, 1.0)
         rest = self.position + (2.0 * PACE * self.rate + self.acceleration) / PACE**2  # where it would come to rest
-        if asked[1] * rest[1] > 0.0 and abs(rest[1]) >= FARTHEST:
+        if asked[1] * rest[1] > 0.0 and not self.highest < rest[1] < self.lowest:
             asked[1] = 0.0
         jerk = PACE * (PACE * (asked - self.rate) - 2.0 * self.acceleration)
         self.position = self.position + period * self.rate
         self.rate = self.rate + period * self.acceleration
         self.acceleration = self.acceleration + period * jerk
-        x, v = set_point(self.position, self.rate, self.acceleration, self.parameters)
-        u = voltage(fan_thrusts(v - self.gain @ (self.measurement - x)), self.parameters)
+        x, v = set_point(self.position, self.rate, self.acceleration, self.rig.parameters)
+        u = self.rig.voltage(fan_thrusts(v - self.gain @ (self.measurement - x)))
         observation, reward, terminated, truncated, info = self.env.step(self.helicopter.to_action(u))
         self.measurement = info["measurement"]
         return observation, reward, terminated, truncated, info
 
 
-def hold_gain(parameters: HelicopterParameters = HelicopterParameters()) -> np.ndarray:
+def elevation_range(rig: Rig) -> tuple[float, float]:
+    """Elevations in rad to which the set-point may go: within FARTHEST of level, and where the rig's limits hover."""
+    least, most = rig.thrust_bounds(rig.limits.u)
+    elevations = np.linspace(-FARTHEST, FARTHEST, 241)
+    half = 0.5 * hover_input(elevations, rig.parameters)[0]
+    held = elevations[(least < half) & (half < most)]
+    return float(held.min()), float(held.max())
+
+
+def hold_gain(rig: Rig = PAPER) -> np.ndarray:
     """Gain K (2, 6) of (51) at hover, where (50) has settled.
 
     The weights follow from what the reward tolerates, by Bryson's rule.
     """
+    parameters, (low, high) = rig.parameters, rig.voltage_limits
     A, B = linearise(np.zeros(6), hover_input(0.0, parameters), parameters)
-    R = np.eye(2) / (parameters.k_plus * EFFORT_TOLERANCE**2) ** 2
+    # the thrust of half of the amplifier's range, which for the paper's rig is `task.EFFORT_TOLERANCE`
+    R = np.eye(2) / float(rig.thrust(np.full(2, 0.5 * (high - low)))[0]) ** 2
     P = solve_continuous_are(A, B, np.diag(1.0 / np.square(TOLERANCE)), R)
     return np.linalg.solve(R, B.T @ P)
 
@@ -109,8 +122,11 @@ def mapping(env: gym.Env) -> tuple[dict[tuple[int, ...], np.ndarray], np.ndarray
         return {keys: np.clip(command, -1.0, 1.0).astype(np.float32) for keys, command in commands.items()}, rest
     helicopter: Heli3DOFEnv = env.unwrapped  # type: ignore[assignment]
     hover = helicopter.hover_voltage
+    low, high = helicopter.rig.voltage_limits
+    share = (high - low) / 12.0  # of the paper's amplifier
+    turn = -np.sign(helicopter.rig.parameters.b1 * helicopter.rig.parameters.b3)
     # A fan that is lower in front tilts the thrust so that the travel grows, since b1 < 0 in (3).
-    voltages = keyboard(hover, LIFT * np.ones(2), ROLL * np.array((-1.0, 1.0)))
+    voltages = keyboard(hover, share * LIFT * np.ones(2), share * ROLL * turn * np.array((-1.0, 1.0)))
     return {keys: helicopter.to_action(u).clip(-1.0, 1.0).astype(np.float32) for keys, u in voltages.items()}, rest
 
 
@@ -126,12 +142,16 @@ def run(arguments: list[str]) -> None:
     parser.add_argument("--assist", action="store_true", help="let the paper's feedback help")
     parser.add_argument("--plant", default="nominal", help="nominal, lab or rigid (default: %(default)s)")
     parser.add_argument("--reference", default="travel-360", help="name or .npz file (default: %(default)s)")
+    parser.add_argument("--rig", default="paper", help="name or .toml file (default: %(default)s)")
+    parser.add_argument("--force", action="store_true", help="fly a plan that is for another rig")
     parser.add_argument("--seed", type=int, help="of the first episode (default: none)")
     print_version("heli-play", arguments)
     args = parser.parse_args(arguments)
     if args.seed is not None and args.seed < 0:
         raise ValueError(f"seed = {args.seed}: must be at least 0")
-    env: gym.Env = Heli3DOFEnv(args.plant, args.reference, render_mode="rgb_array")
+    env: gym.Env = Heli3DOFEnv(
+        args.plant, reference_for(args.reference, args.rig, args.force), rig=args.rig, render_mode="rgb_array"
+    )
     fly(Assist(env) if args.assist else env, args.seed)
 
 

@@ -5,7 +5,8 @@ its own start and through its own rotors, friction, delay and body: direct multi
 (extra `ocp`). No controller can know this; the voltages are then flown open loop in the environment, sensors aside.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,11 +14,11 @@ import numpy as np
 from heli_gym.baselines.control.protocol import step_index
 from heli_gym.baselines.planning.collocation import import_casadi
 from heli_gym.model import dynamics, rk4_step, thrust, virtual_input
-from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import Plant, with_friction_and_disturbances
+from heli_gym.plant import Plant, count_ranges, rotor_curves, with_friction_and_disturbances
 from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
 from heli_gym.simulation.simulation import SUBSTEP
 from heli_gym.task import control_grid
+from heli_gym.thrust_map import TableCurve
 from heli_gym.trajectory import Trajectory
 
 DEGREE = np.pi / 180.0
@@ -41,6 +42,17 @@ class Sequence:
 
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
         return self.u[:, step_index(t, self.control_period, self.u.shape[1] - 1)]
+
+
+def thrust_curves(plant: Plant) -> tuple:
+    """Thrust in N over the speed of the front and of the back rotor, for CasADi's numbers too.
+
+    Raises ValueError for tables, which CasADi's numbers cannot be looked up in.
+    """
+    curves = rotor_curves(plant.thrust_map)
+    if any(isinstance(curve, TableCurve) for curve in curves):
+        raise ValueError("plant: its thrust map must be power curves, not tables, for the oracle")
+    return tuple(partial(thrust, parameters=plant.parameters) if curve is None else curve.thrust for curve in curves)
 
 
 class Oracle:
@@ -73,8 +85,14 @@ class Oracle:
             raise ValueError(f"plant = {plant}: must have no Coulomb friction, slew limit or disturbances")
         if not example.rotors.lag > 0.0:
             raise ValueError(f"plant: the lag of its rotors is {example.rotors.lag:g} s; must be more than 0 s")
+        if count_ranges(example.parameters) or count_ranges(example.thrust_map):
+            raise ValueError(f"plant = {plant}: must have coefficients and a thrust map that are not drawn")
+        self.parameters, self.curves = example.parameters, thrust_curves(example)
         self.delay, self.is_rigid = round(example.rotors.delay / control_period), example.rig is not None
-        if abs(example.rotors.delay - self.delay * control_period) > 1e-9 or example.is_general:
+        if (
+            abs(example.rotors.delay - self.delay * control_period) > 1e-9
+            or replace(example, thrust_map=None).is_general
+        ):
             raise ValueError(
                 f"plant = {plant}: must have a delay of whole control periods, and no effect beyond friction"
             )
@@ -122,7 +140,7 @@ class Oracle:
     def predicted(self, x: tuple, w: tuple, u: tuple, h: float, numbers: list, ca: Any) -> tuple[tuple, tuple]:
         """State and rotor speeds after h seconds: the environment's own step, in CasADi's numbers."""
         lag, loss, *rest = numbers
-        parameters = HelicopterParameters()
+        parameters = self.parameters
 
         def derivative(x: tuple, v: tuple) -> tuple:
             if self.is_rigid:
@@ -135,7 +153,7 @@ class Oracle:
             return tuple(asked + (speed - asked) * ca.exp(-time / lag) for asked, speed in zip(u, w))
 
         inputs = tuple(
-            virtual_input(tuple((1.0 - loss) * thrust(speed, parameters) for speed in turned_to(share * h)))
+            virtual_input(tuple((1.0 - loss) * curve(speed) for curve, speed in zip(self.curves, turned_to(share * h))))
             for share in (0.0, 0.5, 1.0)
         )
         return rk4_step(derivative, x, inputs, h), turned_to(h)

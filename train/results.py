@@ -18,13 +18,14 @@ from rich.table import Table
 
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
-from heli_gym.baselines.control.weights import TUNED
+from heli_gym.baselines.control.weights import weights_file
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.evaluation.statistics import improvement, mean_with_interval, rank_crashes_last
 from heli_gym.cli import announce_replaced, command, parse
-from heli_gym.env import Heli3DOFEnv
+from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.plant import HELD_OUT_SEED
+from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.train.oracle import NoOptimum, Oracle
 from heli_gym.trajectory import Trajectory
@@ -52,6 +53,8 @@ class Args:
     )  # @PLANT: with the weights that are tuned on the plant, if there are any
     against: str = "feedforward+tvlqr@PLANT"  # which of them the others are compared with
     reference: str = "travel-360"
+    rig: str = "paper"  # a name, or a .toml file
+    force: bool = False  # whether to fly a plan that is for another rig
     episodes: int = 100  # draws
     seed: int = HELD_OUT_SEED  # of the first; the others count on
     oracle: int = 0  # of these draws, the first so many, for which the floor is found too: 3 s each on lab, 40 on rigid
@@ -60,17 +63,17 @@ class Args:
 
 def policies(args: Args) -> tuple[str, ...]:
     """The names of the classical policies."""
-    return tuple(dict.fromkeys(tuned_for(args.plant, name) for name in args.policies))
+    return tuple(dict.fromkeys(tuned_for(args.plant, name, args.rig) for name in args.policies))
 
 
 def against(args: Args) -> str:
     """The name of the one that the others are compared with."""
-    return tuned_for(args.plant, args.against)
+    return tuned_for(args.plant, args.against, args.rig)
 
 
-def tuned_for(plant: str, name: str) -> str:
+def tuned_for(plant: str, name: str, rig: str = "paper") -> str:
     """The name with the plant in it, or without, where no weights are stored for that plant."""
-    return name.replace("@PLANT", f"@{plant}" if (TUNED / f"{plant}.json").is_file() else "")
+    return name.replace("@PLANT", f"@{plant}" if weights_file(plant, find_rig(rig)).is_file() else "")
 
 
 def policy_metrics(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> np.ndarray:
@@ -115,7 +118,8 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         raise ValueError(f"oracle = {args.oracle}: must be 0 to episodes = {args.episodes}")
     if against(args) not in policies(args):
         raise ValueError(f"against = {args.against!r}: must be one of policies = {policies(args)}")
-    envs = Heli3DOFVectorEnv(args.episodes, args.plant, args.reference, start_spread_deg=START_SPREAD_DEG)
+    reference = reference_for(args.reference, args.rig, args.force)
+    envs = Heli3DOFVectorEnv(args.episodes, args.plant, reference, start_spread_deg=START_SPREAD_DEG, rig=args.rig)
     names = {name: [name] for name in policies(args)}
     for method in args.methods:
         found = sorted(method.glob("*/best.json"), key=lambda path: path.parent.name)
@@ -130,7 +134,7 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         (label, make_policy(name, reference, envs.control_period)) for label, group in names.items() for name in group
     ]
     if args.oracle:
-        single = Heli3DOFEnv(args.plant, reference, start_spread_deg=START_SPREAD_DEG)
+        single = Heli3DOFEnv(args.plant, reference, start_spread_deg=START_SPREAD_DEG, rig=args.rig)
         oracle = Oracle(single.plant, reference, single.control_period, single.voltage_limits, single.pitch_limit)
     results: dict[str, list[np.ndarray]] = {label: [] for label in names}
     for label, policy in track(jobs, "flying", console=console):

@@ -16,6 +16,7 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
+from functools import cache
 from pathlib import Path
 from typing import Any, Literal
 
@@ -38,11 +39,13 @@ from heli_gym.baselines.control.residual import (
     ResidualPolicy,
     save_learned,
 )
+from heli_gym.baselines.control.weights import weights_file
 from heli_gym.baselines.evaluation.metrics import ONE, Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many
 from heli_gym.cli import command, parse
-from heli_gym.env import find_reference
+from heli_gym.env import reference_for
 from heli_gym.plant import HELD_OUT_SEED
+from heli_gym.rig import PAPER, find_rig, same_dynamics
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import control_steps
 from heli_gym.train import apg
@@ -50,6 +53,7 @@ from heli_gym.train.apg import APG
 from heli_gym.train.asymmetric import AsymmetricPolicy
 from heli_gym.train.checkpoint import last_checkpoint, save_checkpoint
 from heli_gym.train.vec_env import ResidualVecEnv
+from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 CONTROL_PERIOD = 0.02  # s
@@ -67,11 +71,13 @@ class Args:
     plant: str = "lab"  # drawn anew in every flight: lab or, but for apg, rigid
     mode: Literal["residual", "scratch"] = "residual"  # whether the agent corrects the base policy or flies alone
     base: str = ""  # policy to correct; by default "feedforward+tvlqr@PLANT", the paper's with weights for the plant
-    scale: float | None = None  # V, the greatest correction; by default 12, or 6 about the middle for an agent alone
+    scale: float | None = None  # V, the greatest correction; by default the amplifier's range, or half of it alone
     feature_groups: tuple[str, ...] | None = None  # of `residual.FEATURE_GROUPS`, what the agent is shown
     privileged: bool = True  # PPO: whether its critic also sees the true errors and the draw of the plant
     objective: Literal["tracking", "environment"] = "tracking"  # travel, elevation and cost, or the whole reward
     reference: str = "travel-360"
+    rig: str = "paper"  # a name, or a .toml file; the network is for this rig
+    force: bool = False  # whether to fly a plan that is for another rig
     seed: int = 0
     steps: int | None = None  # control periods flown in training, of all helicopters together
     envs: int | None = None  # helicopters at once
@@ -118,8 +124,10 @@ def with_defaults(args: Args) -> Args:
     """The settings with the learner's defaults where there is no value, and the name of the base."""
     missing = {name: value for name, value in DEFAULTS[args.algo].items() if getattr(args, name) is None}
     if args.scale is None:
-        missing["scale"] = 6.0 if args.mode == "scratch" else 12.0
-    base = SCRATCH if args.mode == "scratch" else args.base or f"feedforward+tvlqr@{args.plant}"
+        low, high = find_rig(args.rig).voltage_limits
+        missing["scale"] = 0.5 * (high - low) if args.mode == "scratch" else high - low
+    tuned = f"@{args.plant}" if weights_file(args.plant, find_rig(args.rig)).is_file() else ""
+    base = SCRATCH if args.mode == "scratch" else args.base or f"feedforward+tvlqr{tuned}"
     return replace(args, base=base, **missing)
 
 
@@ -142,6 +150,9 @@ def check(args: Args) -> None:
             raise ValueError(f"{name} = {getattr(args, name)}: must be a finite number")
     if args.base.partition("@")[0] not in POLICIES:
         raise ValueError(f"base = {args.base!r}: must be one of {', '.join(map(repr, POLICIES))}")
+    rig = find_rig(args.rig)
+    if args.algo == "apg" and not rig.thrust_map.is_quadratic:
+        raise ValueError(f"algo = 'apg': must be another on the rig {rig.name!r}, whose thrust map is not (2)")
     if args.algo == "apg" and args.mode == "scratch":
         raise ValueError("mode = 'scratch': must be 'residual' for apg, which differentiates a base policy")
     if not 0 <= args.seed < 10_000:
@@ -172,7 +183,18 @@ def draws_of(args: Args) -> int:
     """Number of seeds that a chunk takes."""
     if args.algo != "apg":
         return args.envs  # later flights of a helicopter go on with its generator
-    return args.envs * -(-args.chunk // control_steps(find_reference(args.reference).duration, CONTROL_PERIOD))
+    return args.envs * -(-args.chunk // control_steps(reference_of(args).duration, CONTROL_PERIOD))
+
+
+@cache
+def planned_reference(reference: str, rig: str, force: bool) -> Trajectory:
+    """`reference_for`, once."""
+    return reference_for(reference, rig, force)
+
+
+def reference_of(args: Args) -> Trajectory:
+    """The reference to train on."""
+    return planned_reference(args.reference, args.rig, args.force)
 
 
 def run_folder(args: Args) -> Path:
@@ -183,7 +205,9 @@ def run_folder(args: Args) -> Path:
         *([] if args.privileged else ["privileged"]),
     ):
         method += f"-without-{name}"
-    return args.out / args.plant / method / str(args.seed)
+    rig = find_rig(args.rig)
+    plant = args.plant if same_dynamics(rig, PAPER) else f"{args.plant}.{rig.name}"
+    return args.out / plant / method / str(args.seed)
 
 
 def settings_of(args: Args) -> dict[str, Any]:
@@ -226,6 +250,7 @@ def make_residual_policy(args: Args, reference: Any, network: Any = None) -> Res
         network,
         args.scale,
         CONTROL_PERIOD,
+        reference.rig.voltage_limits,
         feature_groups=args.feature_groups,
         ahead=apg.AHEAD if args.algo == "apg" else AHEAD,
     )
@@ -234,7 +259,7 @@ def make_residual_policy(args: Args, reference: Any, network: Any = None) -> Res
 def make_helicopters(args: Args, reference: Any) -> Heli3DOFVectorEnv | ResidualVecEnv:
     """The helicopters to train on."""
     envs = Heli3DOFVectorEnv(
-        args.envs, args.plant, reference, start_spread_deg=START_SPREAD_DEG, autoreset_mode="SameStep"
+        args.envs, args.plant, reference, start_spread_deg=START_SPREAD_DEG, autoreset_mode="SameStep", rig=args.rig
     )
     if args.algo == "apg":
         return envs
@@ -325,7 +350,7 @@ def score(args: Args, row: dict[str, Any]) -> float:
     if args.objective == "environment":
         return row["episode_return"]
     travel, elevation = np.radians(row["rms_error_deg"][:2]) / ONE
-    unflown = 1.0 - row["flown"] / find_reference(args.reference).duration
+    unflown = 1.0 - row["flown"] / reference_of(args).duration
     return row["success"] - 0.5 * (travel + elevation) - 0.25 * row["cost"] - EARLY_END_PENALTY * unflown
 
 
@@ -340,9 +365,11 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     name = "/".join(folder.parts[-3:])
     begun = check_begun(args, folder)
     torch.set_num_threads(1)
-    reference = find_reference(args.reference)
+    reference = reference_of(args)
     helicopters = make_helicopters(args, reference)
-    validation_envs = Heli3DOFVectorEnv(args.validation, args.plant, reference, start_spread_deg=START_SPREAD_DEG)
+    validation_envs = Heli3DOFVectorEnv(
+        args.validation, args.plant, reference, start_spread_deg=START_SPREAD_DEG, rig=args.rig
+    )
     agent = make_agent(args, helicopters)
     checkpoint = last_checkpoint(folder / "checkpoints") if begun else None
     (folder / "checkpoints").mkdir(parents=True, exist_ok=True)  # only now: a refusal leaves nothing
@@ -454,6 +481,7 @@ def learned_settings(args: Args, agent: APG | BaseAlgorithm) -> Learned:
         law=residual.law,
         ahead=residual.ahead,
         recurrent=network.size if recurrent else 0,
+        rig="" if same_dynamics(find_rig(args.rig), PAPER) else find_rig(args.rig).to_toml(),
     )
 
 

@@ -31,9 +31,10 @@ from heli_gym.baselines.planning.feasibility import ARRIVAL_TOLERANCE, LIMIT_TOL
 from heli_gym.baselines.planning.planner import FASTEST, plan, plan_fastest
 from heli_gym.baselines.planning.spline import easy_duration
 from heli_gym.cli import announce_replaced, command, parse
-from heli_gym.model import dynamics, hover_input, thrust, virtual_input
-from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.model import dynamics, hover_input, virtual_input
+from heli_gym.parameters import Limits
 from heli_gym.plant import HELD_OUT_SEED
+from heli_gym.rig import PAPER, Rig, find_rig
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -58,22 +59,30 @@ class Args:
     maneuvers: int = 300  # that collocation can fly with 10 % of the time to spare
     fastest: int = 20  # maneuvers whose shortest durations are compared
     draws: int = 100  # helicopters of each plant
+    rig: str = "paper"  # a name, or a .toml file
     seed: int = 0
     out: Path = Path("out/planners")
 
 
-def random_maneuver(rng: np.random.Generator) -> Maneuver:
-    """Travel up to 720°, pitch limits of 10° to 80°, voltages within 0 to 12 V, elevations that these can hold."""
-    parameters = HelicopterParameters()
-    pitch = math.radians(rng.uniform(10.0, 80.0))
-    limits = Limits(rng.uniform(0.0, 4.0), rng.uniform(9.0, 12.0), -pitch, pitch)
-    low, high = 2.0 * thrust(np.array(limits.u), parameters)
+def random_maneuver(rng: np.random.Generator, rig: Rig = PAPER) -> Maneuver:
+    """Travel up to 720°, pitch limits of 10° to 80°, voltages within the amplifier's, elevations that these can hold.
+
+    The windows of voltages lie about hover; those of the paper's rig are 0 to 4 V and 9 to 12 V.
+    """
+    parameters = rig.parameters
+    pitch = min(math.radians(rng.uniform(10.0, 80.0)), rig.pitch_limit)
+    lowest, highest = rig.voltage_limits
+    u_min = rng.uniform(lowest, lowest + (highest - lowest) / 3.0)
+    u_max = rng.uniform(highest - (highest - lowest) / 4.0, highest)
+    limits = Limits(u_min, u_max, -pitch, pitch)
+    least, most = rig.thrust_bounds(limits.u)
+    low, high = 2.0 * least, 2.0 * most
     elevations = np.radians(np.linspace(-60.0, 60.0, 1201))
     share = (hover_input(elevations, parameters)[0] - low) / (high - low)
     held = elevations[(share > HOVER_MARGIN) & (share < 1.0 - HOVER_MARGIN)]
     start, goal = rng.uniform(held[0], held[-1], 2)
     travel = math.radians(rng.uniform(-720.0, 720.0))
-    maneuver = Maneuver((0.0, start), (travel, goal), 1.0, limits, parameters)
+    maneuver = Maneuver((0.0, start), (travel, goal), 1.0, limits, rig=rig)
     return replace(maneuver, duration=2.0 * easy_duration(maneuver))
 
 
@@ -89,7 +98,7 @@ def meets_its_limits(maneuver: Maneuver, trajectory: Trajectory) -> bool:
 
     def rhs(t, x):
         u = np.array([np.interp(t, times, row) for row in voltages])
-        return dynamics(x, virtual_input(thrust(u, maneuver.parameters)), maneuver.parameters, math.sin, math.cos)
+        return dynamics(x, virtual_input(maneuver.rig.thrust(u)), maneuver.parameters, math.sin, math.cos)
 
     flown = solve_ivp(rhs, (0.0, times[-1]), trajectory.x[:, 0], "DOP853", rtol=1e-8, atol=1e-10, max_step=0.02).y
     (travel, elevation), limits = maneuver.goal, maneuver.limits
@@ -116,10 +125,11 @@ def robustness(args: Args, console: Console) -> None:
     """Random maneuvers: how many of those that can be flown with time to spare are planned, and how fast."""
     rng, spare = np.random.default_rng(args.seed), 0
     rows: list[dict[str, Any]] = []
+    rig = find_rig(args.rig)
     plan(Maneuver(duration=9.0))  # compiles what is compiled
     with console.status("robustness"):
         while spare < args.maneuvers:
-            maneuver = random_maneuver(rng)
+            maneuver = random_maneuver(rng, rig)
             shortest, ratio = shortest_known(maneuver), rng.uniform(*DURATIONS)
             if not math.isfinite(shortest):
                 continue
@@ -162,9 +172,9 @@ def robustness(args: Args, console: Console) -> None:
 
 def shortest(args: Args, console: Console) -> None:
     """The shortest durations of random maneuvers, and of the paper's."""
-    rng = np.random.default_rng(args.seed + 1)
+    rng, rig = np.random.default_rng(args.seed + 1), find_rig(args.rig)
     rows: list[dict[str, Any]] = []
-    drawn = [Maneuver(duration=20.0), *(random_maneuver(rng) for _ in range(args.fastest))]
+    drawn = [Maneuver(duration=20.0, rig=rig), *(random_maneuver(rng, rig) for _ in range(args.fastest))]
     for maneuver in track(drawn, "shortest", console=console):
         known = shortest_known(maneuver)
         trajectory, seconds = timed(plan_fastest, maneuver)
@@ -191,13 +201,21 @@ def shortest(args: Args, console: Console) -> None:
     )
 
 
+def scaled_to(rig: Rig, window: tuple[float, float]) -> tuple[float, float]:
+    """The same part of a rig's amplifier as a window of voltages is of 0 to 12 V."""
+    low, high = rig.voltage_limits
+    u_min, u_max = (low + (high - low) / PAPER.voltage_limits[1] * u for u in window)
+    return u_min, u_max
+
+
 def trade_off(args: Args, console: Console) -> None:
     """The shortest duration of the paper's rotation against the pitch limit and the voltage window."""
-    rows = []
+    rows, rig = [], find_rig(args.rig)
     for u_min, u_max in track(WINDOWS, "trade-off", console=console):
         for degrees in PITCH_LIMITS_DEG:
             pitch = math.radians(degrees)
-            maneuver = Maneuver(duration=60.0, limits=Limits(u_min, u_max, -pitch, pitch))
+            u = scaled_to(rig, (u_min, u_max))
+            maneuver = Maneuver(duration=60.0, limits=Limits(*u, -pitch, pitch), rig=rig)
             trajectory, _ = timed(plan_fastest, maneuver)
             rows.append(
                 {
@@ -237,11 +255,11 @@ def methods(args: Args, console: Console) -> None:
     names = [name for name in FASTEST if name != "auto"]
     for name in track(names, "methods", console=console):
         for kind, planner, duration in (("in", plan, LEISURE), ("fastest", plan_fastest, 2.0 * LEISURE)):
-            maneuver = Maneuver(duration=duration)
+            maneuver = Maneuver(duration=duration, rig=find_rig(args.rig))
             planner(maneuver, name)  # compiles what is compiled
             trajectory, seconds = timed(planner, maneuver, name)
             assert trajectory is not None
-            f = thrust(trajectory.u, maneuver.parameters)
+            f = maneuver.rig.thrust(trajectory.u)
             hover = 0.5 * hover_input(maneuver.goal[1], maneuver.parameters)[0]
             rate = np.diff(trajectory.u) / np.diff(trajectory.t)
             flown = flights(trajectory, "lab", args.draws)
@@ -263,7 +281,7 @@ def methods(args: Args, console: Console) -> None:
 
 def reserve(args: Args, console: Console) -> None:
     """What the fastest plan must leave to the paper's controller on `lab` and `rigid`: wider limits, or more time."""
-    rows, requested = [], Maneuver(duration=2.0 * LEISURE)
+    rows, requested = [], Maneuver(duration=2.0 * LEISURE, rig=find_rig(args.rig))
     shortest = plan_fastest(requested).duration
     plans = [(f"{share:.0%} of the windows", plan_fastest(requested, reserve=share)) for share in RESERVES]
     plans += [
@@ -280,7 +298,9 @@ def reserve(args: Args, console: Console) -> None:
 
 def flights(trajectory: Trajectory, plant: str, draws: int) -> dict[str, Any]:
     """What 100 or so held-out helicopters make of a plan under the paper's controller, from starts up to 5° off."""
-    env = gym.make("Heli3DOF-v0", plant=plant, reference=trajectory, start_spread_deg=START_SPREAD_DEG)
+    env = gym.make(
+        "Heli3DOF-v0", plant=plant, reference=trajectory, start_spread_deg=START_SPREAD_DEG, rig=trajectory.rig
+    )
     policy = make_policy("feedforward+tvlqr", trajectory)
     core: Any = env.unwrapped
     flown = [
@@ -339,6 +359,7 @@ def run(args: Args) -> None:
             raise ValueError(f"{name} = {getattr(args, name)}: must be at least 1")
     if args.seed < 0:
         raise ValueError(f"seed = {args.seed}: must be at least 0")
+    find_rig(args.rig)
     check_folder("out", args.out)
     importlib.import_module("casadi")  # which all parts need, some after minutes
     announce_replaced("heli-compare-planners", *(args.out / f"{part}.csv" for part in args.parts))

@@ -41,8 +41,9 @@ from heli_gym.baselines.paper.boundary_value import (
 from heli_gym.baselines.paper.tvlqr import Q, R, stationary_cost, stationary_gain
 from heli_gym.cli import command, parse
 from heli_gym.model import hover_input
-from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters, Limits
+from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.plant import AXES, PLANTS, Rotors
+from heli_gym.rig import PAPER, Rig, check_same_rig, find_rig
 from heli_gym.rigid_body import solve_rigid_body
 from heli_gym.simulation.simulation import SUBSTEP
 from heli_gym.storage import atomic_write, check_folder
@@ -77,6 +78,7 @@ class Args:
 
     out: Path = Path("out/live.html")  # the page: one file that needs nothing else
     open: bool = True  # whether to open it
+    rig: str = "paper"  # a name, or a .toml file; one with the paper's coefficients and thrust map, as the plans are
     solve_plans: bool = False  # plan the grid of maneuvers anew that the package brings (minutes), instead
 
 
@@ -147,9 +149,13 @@ def is_sound(requested: Maneuver, solution: Solution) -> bool:
     return bool(np.abs(end - goal).max() <= ARRIVAL_TOLERANCE)
 
 
-def live_data() -> dict[str, Any]:
-    """All numbers of the page: each stands once, in the module that it comes from."""
-    parameters, paper = HelicopterParameters(), Maneuver()
+def live_data(rig: Rig = PAPER) -> dict[str, Any]:
+    """All numbers of the page: each stands once, in the module that it comes from.
+
+    Raises ValueError for a rig with other coefficients or another thrust map: the grid of plans is the paper's.
+    """
+    check_same_rig("the page's grid of plans", PAPER, rig, "the one to fly")
+    parameters, paper = rig.parameters, Maneuver()
     elevation = paper.goal[1]
     return {
         "parameters": parameters._asdict(),
@@ -159,8 +165,8 @@ def live_data() -> dict[str, Any]:
             "window": paper.limits.u,
         },
         "goal": paper.goal,
-        "amplifier": AMPLIFIER_LIMITS,
-        "pitch_stop": PITCH_STOP,
+        "amplifier": rig.voltage_limits,
+        "pitch_stop": rig.pitch_limit,
         "pitch_reserve": PITCH_RESERVE,
         "kappa": KAPPA,
         "control_period": CONTROL_PERIOD,
@@ -199,7 +205,7 @@ def kalman_data(name: str, elevation: float, parameters: HelicopterParameters) -
         "noise": weights.noise._asdict(),
         "encoder_noise": ENCODER_NOISE,
         "start_deviations": START_DEVIATIONS,
-        "least_lift": LEAST_LIFT,
+        "least_lift": LEAST_LIFT * -parameters.a2 / parameters.b2,
     }
 
 
@@ -256,7 +262,7 @@ def run(args: Args) -> None:
         console.print(f"plans: {PLANS}")
         return
     check_page("out", args.out)
-    write_page(args.out, "live", "heli_gym: fly the helicopter", live_data())
+    write_page(args.out, "live", "heli_gym: fly the helicopter", live_data(find_rig(args.rig)))
     console.print(f"page: {args.out}")
     if args.open:
         webbrowser.open(args.out.absolute().as_uri())

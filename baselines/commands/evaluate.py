@@ -27,8 +27,9 @@ from heli_gym.baselines.paper.normal_form import thrust_bounds, v2_bounds
 from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.baselines.planning.planner import plan, plan_unconstrained
 from heli_gym.cli import announce_replaced, command, parse
-from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.plant import HELD_OUT_SEED
+from heli_gym.rig import PAPER, find_rig, same_dynamics
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import TOLERANCE
 from heli_gym.trajectory import Maneuver, Trajectory
@@ -76,6 +77,8 @@ class Args:
         COMPARED  # which to fly: names, files (.json, .zip of Stable-Baselines3, .onnx), module:function
     )
     reference: str = "travel-360"  # a packaged reference, or an .npz file that heli-plan wrote
+    rig: str = "paper"  # what controllers are designed for and plants deviate from: a name, or a .toml file
+    force: bool = False  # whether to fly a plan that is for another rig
     plant: str = (
         "nominal"  # what is flown: nominal, lab, rigid, NAME+outside; drawn anew in each episode where it has ranges
     )
@@ -114,9 +117,12 @@ def evaluate(args: Args, console: Console, flights: list[Flight] | None = None) 
         raise ValueError(f"episodes = {args.episodes}: must be at least 1")
     if args.seed < 0:
         raise ValueError(f"seed = {args.seed}: must be at least 0")
-    exact = Heli3DOFEnv(find_condition(args.plant), args.reference, PAPER_PERIOD)
+    rig = find_rig(args.rig)
+    exact = Heli3DOFEnv(
+        find_condition(args.plant), reference_for(args.reference, rig, args.force), PAPER_PERIOD, rig=rig
+    )
     reference = exact.reference
-    off: dict[str, Any] = {"control_period": args.control_period, "start_spread_deg": args.start_spread_deg}
+    off: dict[str, Any] = {"rig": rig, "control_period": args.control_period, "start_spread_deg": args.start_spread_deg}
     single = Heli3DOFEnv(exact.plant, reference, **off)
     perturbed = Heli3DOFVectorEnv(args.episodes, exact.plant, reference, **off)
     # All that can be refused is made before the first flight.
@@ -169,7 +175,8 @@ def summarise(flights: Sequence[Flight]) -> list[dict[str, Any]]:
 
 def subject(args: Args) -> str:
     """What is flown."""
-    return f"{Path(args.reference).name} on the plant {args.plant}"
+    rig = "" if args.rig == PAPER.name else f" of the rig {find_rig(args.rig).name}"
+    return f"{Path(args.reference).name} on the plant {args.plant}{rig}"
 
 
 def table_title(args: Args, rows: Iterable[dict[str, Any]]) -> str:
@@ -291,9 +298,8 @@ def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: 
 
 def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory, console: Console) -> None:
     """Every figure of the paper but its photographs and schematics; Figs. 10 and 11 of what is flown."""
-    maneuver = Maneuver()
-    parameters, limits = maneuver.parameters, maneuver.limits
-    env = Heli3DOFEnv(find_condition(args.plant), args.reference, PAPER_PERIOD)
+    rig = find_rig(args.rig)
+    env = Heli3DOFEnv(find_condition(args.plant), reference_for(args.reference, rig, args.force), PAPER_PERIOD, rig=rig)
     reference, title = env.reference, f"{subject(args)} at {PAPER_PERIOD * 1e3:g} ms"
     start = reference.x[:, 0].copy()
     start[[0, 2]] += np.radians(FIGURE_START_DEG)
@@ -301,7 +307,21 @@ def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory,
         name: fly(env, make_policy(name, reference, PAPER_PERIOD), seed=args.seed, options={"state": start})
         for name in ("open-loop", "feedforward+tvlqr")
     }
+    of_paper = paper_figures(unconstrained, constrained) if same_dynamics(rig, PAPER) else {}
     drawings = {
+        **of_paper,
+        "fig10-angles": figures.angles(reference, flights, title),
+        "fig11-voltages": figures.voltages(reference, flights, title),
+        "overview": figures.overview(reference, {"feedforward+tvlqr": flights["feedforward+tvlqr"]}, title),
+    }
+    for name, figure in track(drawings.items(), "drawing", console=console):
+        figures.save(figure, args.out / f"{name}.{args.format}", args.columns)
+
+
+def paper_figures(unconstrained: Trajectory, constrained: Trajectory) -> dict[str, Any]:
+    """Figs. 2 to 9, which are of the paper's rig and maneuver."""
+    parameters, limits = Maneuver().parameters, Maneuver().limits
+    return {
         "fig02-thrust-map": figures.thrust_map(parameters),
         "fig04-unconstrained": figures.feedforward(unconstrained, parameters, "Fig. 4: without constraints"),
         "fig05-input-constraints": figures.input_constraints(limits, parameters),
@@ -309,12 +329,7 @@ def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory,
         "fig07-ramp-saturation": figures.ramp_saturation(),
         "fig08-constrained": figures.feedforward(constrained, parameters, "Fig. 8: with constraints"),
         "fig09-gains": figures.gains(riccati_gains(constrained)),
-        "fig10-angles": figures.angles(reference, flights, title),
-        "fig11-voltages": figures.voltages(reference, flights, title),
-        "overview": figures.overview(reference, {"feedforward+tvlqr": flights["feedforward+tvlqr"]}, title),
     }
-    for name, figure in track(drawings.items(), "drawing", console=console):
-        figures.save(figure, args.out / f"{name}.{args.format}", args.columns)
 
 
 def main(args: Args | None = None) -> None:
@@ -335,7 +350,7 @@ def run(args: Args) -> None:
             raise
         write_results(path, args, flights, [], "interrupted")
         raise KeyboardInterrupt(f"the {len(flights)} flights so far are in {path}") from None
-    is_papers = args.reference == PAPERS_REFERENCE
+    is_papers = args.reference == PAPERS_REFERENCE and same_dynamics(find_rig(args.rig), PAPER)
     unconstrained, constrained = plan_unconstrained(Maneuver()), plan(Maneuver())
     numbers = paper_numbers(unconstrained, constrained, Maneuver()) if is_papers else []
     rows = write_results(path, args, flights, numbers)
@@ -357,7 +372,7 @@ def run(args: Args) -> None:
                 "columns": COLUMNS,
                 "rows": [*map(table_cells, rows)],
             },
-            reference=find_reference(args.reference),
+            reference=reference_for(args.reference, args.rig, args.force),
             shown=report_flights(args, flights),
             errors={
                 name: [error_deg(flight) for flight in flights if (flight.policy, flight.start) == (name, "perturbed")]

@@ -11,7 +11,7 @@ import numpy as np
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.evaluation.rollout import fly
 from heli_gym.cli import announce_replaced, command, parse
-from heli_gym.env import Heli3DOFEnv
+from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.rendering import Renderer, RenderState
 from heli_gym.storage import atomic_write, check_folder
@@ -28,6 +28,8 @@ class Args:
     policies: tuple[str, ...] = ("feedforward+tvlqr", "residual")  # which to fly, from the left to the right
     plant: str = "lab"  # what is flown: nominal, lab or rigid
     reference: str = "travel-360"  # a packaged reference, or an .npz file that heli-plan wrote
+    rig: str = "paper"  # a name, or a .toml file
+    force: bool = False  # whether to fly a plan that is for another rig
     seed: int = HELD_OUT_SEED  # of the episode
     width: int = 440  # of each picture in pixels, a multiple of 8
     frame_time: float = 0.06  # s, a multiple of 0.01
@@ -118,7 +120,7 @@ def run(args: Args) -> None:
     delay(args.frame_time)
     check_folder("out", args.out.parent)
     Renderer(args.width)
-    env = Heli3DOFEnv(args.plant, args.reference)
+    env = Heli3DOFEnv(args.plant, reference_for(args.reference, args.rig, args.force), rig=args.rig)
     policies = {
         name: make_policy(name, env.reference, env.control_period, voltage_limits=env.voltage_limits)
         for name in args.policies

@@ -13,6 +13,7 @@ from heli_gym.baselines.evaluation import figures
 from heli_gym.baselines.planning.planner import plan, plan_fastest
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.parameters import Limits
+from heli_gym.rig import find_rig
 from heli_gym.storage import check_folder
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -28,9 +29,10 @@ class Args:
     duration: float = PAPERS.duration  # s
     start_travel_deg: float = degrees(PAPERS.start[0])  # travel at the start
     start_elevation_deg: float = degrees(PAPERS.start[1])  # elevation at the start
-    pitch_limit_deg: float = degrees(PAPERS.limits.pitch_max)  # on both sides
-    u_min: float = PAPERS.limits.u_min  # V
-    u_max: float = PAPERS.limits.u_max  # V
+    rig: str = "paper"  # that flies: paper, quanser, ntnu, or a .toml file
+    pitch_limit_deg: float | None = None  # on both sides; by default the rig's for plans, the paper's 50
+    u_min: float | None = None  # V; by default the rig's for plans, the paper's 1
+    u_max: float | None = None  # V; likewise, 11
     method: Literal["auto", "paper", "spline", "flat", "collocation"] = "auto"  # the last needs the extra ocp
     fastest: bool = False  # whether to look for the shortest duration, up to the one given
     reserve: float = 0.0  # share of the windows of voltages and pitch that the fastest plan leaves to the feedback
@@ -44,15 +46,22 @@ def requested_maneuver(args: Args) -> Maneuver:
     for name in ("travel_deg", "elevation_deg", "start_travel_deg", "start_elevation_deg"):
         if not isfinite(getattr(args, name)):
             raise ValueError(f"{name} = {getattr(args, name)!r}: must be a finite number of degrees")
-    if not 0.0 < args.pitch_limit_deg < 90.0:
+    rig = find_rig(args.rig)
+    if args.pitch_limit_deg is not None and not 0.0 < args.pitch_limit_deg < 90.0:
         raise ValueError(f"pitch_limit_deg = {args.pitch_limit_deg!r}: must be more than 0 and less than 90 degrees")
-    pitch = radians(args.pitch_limit_deg)
-    limits = Limits(args.u_min, args.u_max, -pitch, pitch)
+    pitch_min, pitch_max = rig.limits.pitch
+    if args.pitch_limit_deg is not None:
+        pitch_max = radians(args.pitch_limit_deg)
+        pitch_min = -pitch_max
+    u_min, u_max = (own if given is None else given for own, given in zip(rig.limits.u, (args.u_min, args.u_max)))
+    limits = Limits(u_min, u_max, pitch_min, pitch_max)
     for name in ("start_elevation_deg", "elevation_deg"):
         point = (0.0, radians(getattr(args, name)))
         try:
-            Maneuver(point, point, limits=limits)
+            Maneuver(point, point, limits=limits, rig=rig)
         except ValueError as error:
+            if not str(error).startswith("start"):  # the limits are to blame
+                raise
             _, _, reason = str(error).partition(": ")
             raise ValueError(f"{name} = {getattr(args, name)!r}: {reason}") from error
     return Maneuver(
@@ -60,6 +69,7 @@ def requested_maneuver(args: Args) -> Maneuver:
         goal=(radians(args.travel_deg), radians(args.elevation_deg)),
         duration=args.duration,
         limits=limits,
+        rig=rig,
     )
 
 
@@ -91,7 +101,8 @@ def run(args: Args) -> None:
     trajectory = plan_requested(maneuver, args)
     announce_replaced("heli-plan", args.out)
     trajectory.save(args.out)
-    console.print(f"{maneuver}: planned in {time.perf_counter() - began:.2f} s")
+    on_rig = "" if args.rig == PAPERS.rig.name else f"rig {maneuver.rig.name}, "
+    console.print(f"{on_rig}{maneuver}: planned in {time.perf_counter() - began:.2f} s")
     pitch = np.degrees(trajectory.x[4])
     console.print(
         f"{trajectory.duration:.3f} s, pitch {pitch.min():.2f}° to {pitch.max():.2f}°, voltages "
@@ -99,7 +110,7 @@ def run(args: Args) -> None:
     )
     if args.figure:
         picture = args.out.with_suffix(".png")
-        figures.save(figures.feedforward(trajectory, maneuver.parameters, "Plan"), picture)
+        figures.save(figures.feedforward(trajectory, maneuver.rig, "Plan"), picture)
         console.print(f"picture: {picture}")
 
 

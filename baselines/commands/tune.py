@@ -26,8 +26,9 @@ from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.weights import WEIGHTS, store_weights
 from heli_gym.baselines.evaluation.metrics import crash_cost, tracking_reward
 from heli_gym.cli import command, parse
-from heli_gym.env import find_reference
+from heli_gym.env import reference_for
 from heli_gym.plant import PLANTS
+from heli_gym.rig import find_rig
 from heli_gym.storage import check_folder
 from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv
@@ -64,6 +65,8 @@ class Args:
     )
     store: bool = False  # whether to keep the weights for this one plant
     reference: str = "travel-360"  # a packaged reference, or an .npz file
+    rig: str = "paper"  # a name, or a .toml file; stored weights are for this rig
+    force: bool = False  # whether to fly a plan that is for another rig
     draws: int = 32  # helicopters of each plant that a candidate flies
     candidates: int = 600  # that are flown, whatever the number of weights
     population: int = 40  # of these in each generation of differential evolution
@@ -134,8 +137,12 @@ def run(args: Args) -> None:
     """Search, then store and print the weights and what they are worth; interrupted, the best so far are printed."""
     check(args)
     console = Console()
-    reference = find_reference(args.reference)
-    envs = [Heli3DOFVectorEnv(args.draws, plant, reference, start_spread_deg=START_SPREAD_DEG) for plant in args.plants]
+    rig = find_rig(args.rig)
+    reference = reference_for(args.reference, rig, args.force)
+    envs = [
+        Heli3DOFVectorEnv(args.draws, plant, reference, start_spread_deg=START_SPREAD_DEG, rig=rig)
+        for plant in args.plants
+    ]
     in_use = WEIGHTS[args.policy]
 
     def mean_return(weights: Weights, seed: int) -> float:
@@ -174,7 +181,7 @@ def run(args: Args) -> None:
         raise KeyboardInterrupt("the best weights so far are printed, none stored") from None
     tuned = with_decades(in_use, result.x)
     if args.store:
-        store_weights(args.policy, args.plants[0], tuned)
+        store_weights(args.policy, args.plants[0], tuned, rig)
     print_weights(tuned, console)
     for label, weights in (("in use", in_use), ("tuned", tuned)):
         tuned_on, held_out = (mean_return(weights, seed) for seed in (args.seed, args.seed + args.draws))

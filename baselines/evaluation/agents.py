@@ -21,7 +21,6 @@ import numpy as np
 
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
-from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.trajectory import Trajectory
 
 MAX_BYTES = 2**30  # of one tensor file
@@ -74,7 +73,7 @@ def make_pilot(
     policy: Any,
     reference: Trajectory,
     control_period: float = 0.02,
-    voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS,
+    voltage_limits: tuple[float, float] | None = None,
 ) -> Policy | Agent:
     """What `fly` flies, out of whatever names or is a policy.
 
@@ -85,12 +84,13 @@ def make_pilot(
             `predict`; a policy; or a function of time and measurement that returns voltages.
         reference: trajectory to track.
         control_period: s.
-        voltage_limits: V.
+        voltage_limits: V, of the reference's rig by default.
 
     Raises:
         ValueError: if there is no policy of this name, or its file is damaged.
         ImportError: if the module or ONNX Runtime cannot be imported.
     """
+    voltage_limits = voltage_limits or reference.rig.voltage_limits
     if not isinstance(policy, str | Path):
         return as_pilot(policy)
     name = str(policy)

@@ -19,6 +19,7 @@ from heli_gym.baselines.paper.saturation import psi1, psi2_bounds, ramp
 from heli_gym.baselines.paper.tvlqr import Gains
 from heli_gym.model import hover_input, thrust, virtual_input, voltage
 from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters, Limits
+from heli_gym.rig import Rig, assumed_rig
 from heli_gym.storage import atomic_write
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -96,16 +97,17 @@ def thrust_map(parameters: HelicopterParameters, limits: Limits = Limits()) -> F
 
 
 @styled
-def feedforward(trajectory: Trajectory, parameters: HelicopterParameters, title: str) -> Figure:
+def feedforward(trajectory: Trajectory, rig: Rig | HelicopterParameters, title: str) -> Figure:
     """Figs. 4 and 8: the angles, virtual inputs and voltages of a plan."""
+    rig = assumed_rig(trajectory, rig)
     figure = Figure(figsize=(7.2, 7.2))
     *angle_panels, v1_panel, v2_panel, front_panel, back_panel = rows_of_panels(figure, 3, 2, 2)
     quantities = (TRAVEL, ELEVATION, PITCH, FRONT, BACK)
     for axes, quantity in zip((*angle_panels, front_panel, back_panel), quantities):
         draw(axes, quantity, trajectory, {})
 
-    v1, v2 = virtual_input(thrust(trajectory.u, parameters))
-    f = thrust_bounds(trajectory.limits, parameters)
+    v1, v2 = virtual_input(rig.thrust(trajectory.u))
+    f = rig.thrust_bounds(trajectory.limits.u)
     for axes, label, v in (
         (v1_panel, "thrust sum $v_1$ (N)", v1),
         (v2_panel, "thrust difference $v_2$ (N)", v2),

@@ -16,8 +16,8 @@ import numpy as np
 
 from heli_gym.baselines.evaluation.labels import colours_of, label_of
 from heli_gym.baselines.paper.tvlqr import riccati_gains
-from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters
-from heli_gym.rigid_body import solve_rigid_body
+from heli_gym.rig import Rig
+from heli_gym.rigid_body import RigidBodyParameters, solve_rigid_body
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
@@ -71,7 +71,7 @@ def write_report(
     reference: Trajectory,
     shown: Sequence[Shown],
     errors: Mapping[str, Sequence[float]] | None = None,
-    parameters: HelicopterParameters = HelicopterParameters(),
+    rig: Rig | None = None,
 ) -> None:
     """The report of an evaluation: its table, its flights in plots and in 3D, and how their errors are distributed.
 
@@ -83,13 +83,14 @@ def write_report(
         reference: what was to be flown.
         shown: the flights, those of the first entry at first. A policy may be missing in some.
         errors: by policy, of all its episodes: RMS in deg.
-        parameters: those that the gains and the constraints are computed with.
+        rig: whose gains, amplifier and body are shown; the reference's by default.
 
     Raises:
         ValueError: if the path is not that of an .html file.
     """
     policies = list(dict.fromkeys(policy for group in shown for policy in group.flights))
-    limits = reference.limits
+    rig = rig or reference.rig
+    parameters, limits = rig.parameters, reference.limits
     data = {
         "title": title,
         "subtitle": f"{reference.duration:g} s within {limits}; heli-gym {version('heli-gym')}",
@@ -99,13 +100,21 @@ def write_report(
         "colours": colours_of(policies),
         "groups": [flight_group(group, reference, policies) for group in shown],
         "errors": [list((errors or {}).get(policy, ())) for policy in policies],
-        "gains": sampled_gains(reference, parameters) if "feedforward+tvlqr" in policies else None,
+        "gains": sampled_gains(reference, rig) if "feedforward+tvlqr" in policies else None,
         "limits": {"u": limits.u, "pitch": limits.pitch},
-        "amplifier": AMPLIFIER_LIMITS,
+        "amplifier": rig.voltage_limits,
         "parameters": parameters._asdict(),
-        "rig": solve_rigid_body("A", parameters)._asdict(),
+        "rig": drawn_body(rig)._asdict(),
     }
     write_page(path, "report", f"heli_gym: {title}", data)
+
+
+def drawn_body(rig: Rig) -> RigidBodyParameters:
+    """Lengths that the replay draws: of the rigid body with the rig's coefficients, or else with the paper's."""
+    try:
+        return solve_rigid_body("A", rig.parameters)
+    except ValueError:
+        return solve_rigid_body("A")
 
 
 def flight_group(group: Shown, reference: Trajectory, policies: Sequence[str]) -> dict[str, Any]:
@@ -121,7 +130,8 @@ def flight_group(group: Shown, reference: Trajectory, policies: Sequence[str]) -
     def flown(flight: Trajectory | None) -> dict[str, Any] | None:
         if flight is None:
             return None
-        early = f"beyond ±{np.degrees(PITCH_STOP):.0f}° of pitch: the flight ended at {flight.duration:.2f} s"
+        stop = f"±{np.degrees(flight.rig.pitch_limit):.0f}°"
+        early = f"beyond {stop} of pitch: the flight ended at {flight.duration:.2f} s"
         return {**sampled(flight.x, flight.u), "ended": early if len(flight.t) <= last else ""}
 
     return {
@@ -134,10 +144,10 @@ def flight_group(group: Shown, reference: Trajectory, policies: Sequence[str]) -
     }
 
 
-def sampled_gains(reference: Trajectory, parameters: HelicopterParameters) -> dict[str, Any]:
+def sampled_gains(reference: Trajectory, rig: Rig) -> dict[str, Any]:
     """The gains (51) along the reference."""
     t = np.arange(0.0, reference.duration + 0.5 * SAMPLE_PERIOD, SAMPLE_PERIOD)
-    return {"step": SAMPLE_PERIOD, "K": rounded(riccati_gains(reference, parameters)(t))}
+    return {"step": SAMPLE_PERIOD, "K": rounded(riccati_gains(reference, rig)(t))}
 
 
 def rounded(values: np.ndarray) -> list:
