@@ -223,6 +223,8 @@ class Rig:
         """Thrusts (2, ...) in N of the rotors at the voltages u (2, ...) in V, (front, back)."""
         if self.thrust_map.is_quadratic:
             return model.thrust(np.asarray(u, dtype=float), self.parameters)
+        if self.thrust_map.front == self.thrust_map.back:
+            return self.thrust_map.front.thrust(np.asarray(u, dtype=float))
         return np.stack((self.thrust_map.front.thrust(u[0]), self.thrust_map.back.thrust(u[1])))
 
     def voltage(self, f: Any) -> Any:

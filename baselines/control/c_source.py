@@ -13,7 +13,7 @@ import numpy as np
 
 from heli_gym.baselines.control.constant import ConstantVoltage, MiddleVoltage
 from heli_gym.baselines.control.estimation import LEAST_LIFT, settling_periods
-from heli_gym.baselines.control.model_based import ModelPolicy
+from heli_gym.baselines.control.model_based import PREDICTIONS, ModelPolicy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.residual import (
     DISTURBANCE_SCALE,
@@ -32,7 +32,7 @@ from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustCurve
 
 TEMPLATES = Path(__file__).parent / "c_code"
 PRECISIONS = {"double": np.float64, "single": np.float32}
-FUNCTIONS = ("sin", "cos", "atan2", "sqrt", "pow", "fabs", "tanh")
+FUNCTIONS = ("sin", "cos", "atan2", "sqrt", "pow", "exp", "fabs", "tanh")
 
 HEADER = """\
 /* {title}. Written by heli-export; README.md has the signals, signs and units. */
@@ -159,7 +159,6 @@ def add_model_based(source: CSource, policy: ModelPolicy) -> None:
     regulator, actuator, rig = policy.regulator, policy.actuator, policy.regulator.rig
     period, p = policy.control_period, rig.parameters
     add_thrust_map(source, rig, forward=True)
-    decays = [math.exp(-share * period / actuator.lag) if actuator.lag else 0.0 for share in (0.5, 1.0)]
     source.define(
         SAMPLES=policy.x.shape[1],
         GAINS=regulator.gains.shape[1],
@@ -167,8 +166,8 @@ def add_model_based(source: CSource, policy: ModelPolicy) -> None:
         LAGGING=regulator.lagging,
         INTEGRATING=regulator.integrating,
         OBSERVING=policy.observer is not None,
-        HALF_DECAY=decays[0],
-        DECAY=decays[1],
+        LAG=actuator.lag,
+        STRETCH=max(1, -(-actuator.delay // PREDICTIONS)),
         **{name.upper(): float(getattr(p, name)) for name in ("a1", "a2", "a3", "b1", "b2", "b3", "c1", "c2", "c3")},
     )
     source.array("STATE", regulator.x.T)

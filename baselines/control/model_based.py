@@ -30,6 +30,8 @@ from heli_gym.rig import Rig, assumed_rig
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
+PREDICTIONS = 4  # Runge-Kutta steps over the delay, at most
+
 
 class Memory(NamedTuple):
     """State of a `ModelPolicy` between control periods."""
@@ -135,8 +137,8 @@ class ModelPolicy(StatefulPolicy):
         if self.observer is not None:
             x, disturbance = self.observer(memory.x, disturbance, measurement, now, memory.start)
         later, rotors = x, memory.rotors
-        for u in memory.pending:
-            later, rotors = self.predict(later, rotors, u, disturbance)
+        for u, periods in stretches(memory.pending):
+            later, rotors = self.predict(later, rotors, u, disturbance, periods)
         arrival = np.minimum(now + self.actuator.delay, self.x.shape[1] - 1)
         u = self.regulator(arrival, later, rotors, disturbance, memory.integral)
 
@@ -159,14 +161,26 @@ class ModelPolicy(StatefulPolicy):
             return memory
         return memory._replace(pending=(*memory.pending[:-1], np.clip(u, *self.voltage_limits)))
 
-    def predict(self, x: Any, rotors: Any, u: Any, disturbance: Any) -> tuple[np.ndarray, np.ndarray]:
-        """State (6, ...) and rotor speeds (2, ...) a control period later."""
+    def predict(self, x: Any, rotors: Any, u: Any, disturbance: Any, periods: int = 1) -> tuple[np.ndarray, np.ndarray]:
+        """State (6, ...) and rotor speeds (2, ...) so many control periods later."""
         lag, rig = self.actuator.lag, self.regulator.rig
-        return predict(x, rotors, u, disturbance, self.control_period, lag, rig)
+        return predict(x, rotors, u, disturbance, periods * self.control_period, lag, rig)
 
     def index(self, t: Any) -> Any:
         """Control period of the time t in s."""
         return step_index(t, self.control_period, self.x.shape[1] - 1)
+
+
+def stretches(pending: tuple[np.ndarray, ...]) -> list[tuple[np.ndarray, int]]:
+    """Voltages that are under way as at most PREDICTIONS stretches, and for how many control periods each lasts.
+
+    A stretch of several periods has their mean voltage, for which one Runge-Kutta step is exact enough.
+    """
+    size = -(-len(pending) // PREDICTIONS)
+    if size <= 1:
+        return [(u, 1) for u in pending]
+    groups = [pending[k : k + size] for k in range(0, len(pending), size)]
+    return [(sum(group) / len(group), len(group)) for group in groups]  # type: ignore[misc]
 
 
 def model_policy(

@@ -199,3 +199,15 @@ def test_what_cannot_be_exported_is_refused_in_a_line_and_leaves_nothing(values,
 def test_another_rig_is_exported_for_by_force():
     files = exported(Args("travel-360", "feedforward+tvlqr", rig="ntnu", force=True))
     assert b"ntnu" in files["heli_controller.c"]
+
+
+@needs_cc
+def test_a_delay_of_many_periods_is_bridged_alike(tmp_path):
+    policy = make_policy("kalman-lqr", TRAVEL_360, 0.004)
+    assert policy.actuator.delay == 5
+    c_policy = CPolicy(policy, TRAVEL_360.rig, "double", tmp_path)
+    rng = np.random.default_rng(0)
+    policy.reset(rng)
+    for k in range(300):
+        y = TRAVEL_360(0.004 * k)[0] + rng.normal(0.0, 0.01, 6)
+        assert_allclose(c_policy(0.004 * k, y), np.clip(policy(0.004 * k, y), 0.0, 12.0), rtol=0.0, atol=1e-8)

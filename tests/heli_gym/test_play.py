@@ -78,7 +78,7 @@ def test_every_combination_of_keys_is_an_action(wrap):
 
 def test_the_gain_makes_hover_stable_and_is_what_the_riccati_equation_settles_at():
     A, B = linearise(np.zeros(6), virtual_input(thrust(voltages())), TABLE_I)
-    K = hold_gain(TABLE_I)
+    K = hold_gain()
     assert np.linalg.eigvals(A - B @ K).real.max() < -0.3
     # The optimal gain is a fixed point of improving it: one step of Kleinman's iteration, its cost by quadrature.
     tolerance = np.radians([3.0, 6.0, 3.0, 6.0, 6.0, 30.0])

@@ -39,25 +39,30 @@ static void move(const real x[6], real h, const real dx[6], real moved[6]) {
     }
 }
 
-/* The state's change in a period, by one Runge-Kutta step of order four, and the rotors after it, exactly. */
-static void predict(const real x[6], real rotors[2], const real u[2], real change[6]) {
+/* The state's change in h seconds, by one Runge-Kutta step of order four, and the rotors after it, exactly. */
+static void predict(const real x[6], real rotors[2], const real u[2], real h, real change[6]) {
+#if LAGGING
+    const real half_decay = EXP(-REAL(0.5) * h / LAG), decay = EXP(-h / LAG);
+#else
+    const real half_decay = REAL(0.0), decay = REAL(0.0);
+#endif
     real middle[2], end[2], v0[2], v1[2], v2[2], d1[6], d2[6], d3[6], d4[6], moved[6];
     for (int i = 0; i < 2; i++) {
-        middle[i] = u[i] + HALF_DECAY * (rotors[i] - u[i]);
-        end[i] = u[i] + DECAY * (rotors[i] - u[i]);
+        middle[i] = u[i] + half_decay * (rotors[i] - u[i]);
+        end[i] = u[i] + decay * (rotors[i] - u[i]);
     }
     virtual_input(LAGGING ? rotors : u, v0);
     virtual_input(middle, v1);
     virtual_input(end, v2);
     derivative(x, v0, d1);
-    move(x, REAL(0.5) * PERIOD, d1, moved);
+    move(x, REAL(0.5) * h, d1, moved);
     derivative(moved, v1, d2);
-    move(x, REAL(0.5) * PERIOD, d2, moved);
+    move(x, REAL(0.5) * h, d2, moved);
     derivative(moved, v1, d3);
-    move(x, PERIOD, d3, moved);
+    move(x, h, d3, moved);
     derivative(moved, v2, d4);
     for (int i = 0; i < 6; i++) {
-        change[i] = PERIOD / REAL(6.0) * (d1[i] + REAL(2.0) * (d2[i] + d3[i]) + d4[i]);
+        change[i] = h / REAL(6.0) * (d1[i] + REAL(2.0) * (d2[i] + d3[i]) + d4[i]);
     }
     rotors[0] = end[0];
     rotors[1] = end[1];

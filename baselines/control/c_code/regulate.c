@@ -100,9 +100,16 @@ static void base_control(real t, const real y[6], real u[2]) {
     rotors[0] = memory.rotors[0];
     rotors[1] = memory.rotors[1];
 #if DELAY
-    for (int k = 0; k < DELAY; k++) {
-        real change[6];
-        predict(later, rotors, memory.pending[k], change);
+    for (int first = 0; first < DELAY; first += STRETCH) {
+        const int count = DELAY - first < STRETCH ? DELAY - first : STRETCH;
+        real change[6], mean[2] = {REAL(0.0), REAL(0.0)};
+        for (int k = first; k < first + count; k++) {
+            mean[0] += memory.pending[k][0];
+            mean[1] += memory.pending[k][1];
+        }
+        mean[0] /= (real)count;
+        mean[1] /= (real)count;
+        predict(later, rotors, mean, (real)count * PERIOD, change);
         move(later, REAL(1.0), change, later);
     }
 #endif
@@ -119,7 +126,7 @@ static void base_remember(real t, const real u[2], const real applied[2]) {
     }
     memory.pending[DELAY][0] = applied[0];
     memory.pending[DELAY][1] = applied[1];
-    predict(memory.x, memory.rotors, memory.pending[0], change);
+    predict(memory.x, memory.rotors, memory.pending[0], PERIOD, change);
     for (int i = 0; i < 6; i++) {
         add(i, change[i]);
     }
