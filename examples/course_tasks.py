@@ -1,0 +1,90 @@
+"""The tasks of the course on one rig, and the same maneuvers by this package's planner and controller.
+
+    python examples/course_tasks.py --rig ntnu        # needs heli-gym[eval,ocp]
+
+Travel by 180 degrees with the pitch within 30 degrees: a quadratic program with the inner loop alone, the same with
+an LQR, and an elevation bump on the way as a nonlinear program; the other rows are the package's own plans. All are
+flown on the exact rig and on draws of the plant `lab`, whose angles, in the last column, are as noisy as an IMU's.
+"""
+
+import argparse
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from heli_gym import Limits, Maneuver, Trajectory, find_rig
+from heli_gym.baselines import fly, make_policy, plan
+from heli_gym.baselines.control.course import (
+    PITCH_COMMAND,
+    SchedulePolicy,
+    bump,
+    elevation_sign,
+    flat_over_bump,
+    lqr_gain,
+    travel_by_qp,
+    travel_over_bump,
+)
+from heli_gym.baselines.control.estimation import ENCODER_COUNTS, ENCODER_NOISE
+from heli_gym.env import Heli3DOFEnv
+from heli_gym.plant import HELD_OUT_SEED, find_plant
+from heli_gym.rig import Rig
+
+TRAVEL, DURATION = math.pi, 15.0  # rad, s
+IMU_NOISE = 0.01  # rad, standard deviation of the angles
+COLUMNS = ("travel at end", "peak pitch", "elevation off", "bump missed")
+
+
+def reference_of(rig: Rig) -> Trajectory:
+    """The package's plan of the move, within 30 degrees of pitch."""
+    limits = Limits(*rig.limits.u, -PITCH_COMMAND, PITCH_COMMAND)
+    return plan(Maneuver(goal=(TRAVEL, 0.0), duration=DURATION, limits=limits, rig=rig))
+
+
+def outcome(flight: Trajectory, rig: Rig) -> tuple[float, ...]:
+    """COLUMNS of a flight, in degrees."""
+    up = elevation_sign(rig) * flight.x[2]
+    missed = np.maximum(bump(flight.x[0], TRAVEL) - up, 0.0).max()
+    values = abs(flight.x[0, -1] - TRAVEL), np.abs(flight.x[4]).max(), np.abs(up).max(), missed
+    return tuple(np.degrees(values).tolist())
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--rig", default="ntnu", help="name or .toml file (default: %(default)s)")
+    parser.add_argument("--draws", type=int, default=5, help="helicopters of each plant (default: %(default)s)")
+    args = parser.parse_args()
+    rig = find_rig(args.rig)
+    reference = reference_of(rig)
+    # the filter takes the noise of the angles from the encoders: as coarse as to err as much
+    counts = round(ENCODER_COUNTS * ENCODER_NOISE / IMU_NOISE)
+    noisy = replace(rig, encoder_counts=(counts, counts, counts))
+    lab = find_plant("lab")
+    assert lab.sensors is not None
+    plants = {"exact": "nominal", "lab": lab, "lab, noisy": replace(lab, sensors=replace(lab.sensors, noise=IMU_NOISE))}
+
+    qp, over = travel_by_qp(rig, TRAVEL), travel_over_bump(rig, TRAVEL)
+    policies = {
+        "QP, inner loop": SchedulePolicy(qp, rig),
+        "QP and LQR": SchedulePolicy(qp, rig, lqr_gain(rig)),
+        "bump, NLP and LQR": SchedulePolicy(over, rig, lqr_gain(rig)),
+    }
+    jobs = [(name, policy, reference) for name, policy in policies.items()]
+    for kind, own in (("plan", reference), ("bump plan", flat_over_bump(rig, TRAVEL))):
+        for label, name in (("TV-LQR", "feedforward+tvlqr"), ("Kalman LQR", "kalman-lqr")):
+            jobs.append((f"{kind} and {label}", make_policy(name, own), own))
+        jobs.append((f"{kind}, Kalman for noise", make_policy("kalman-lqr", own, rig=noisy), own))
+    print(f"rig {rig.name}, {args.draws} draws, means in degrees: {', '.join(COLUMNS)}")
+    for name, policy, own in jobs:
+        cells = []
+        for plant in plants.values():
+            env = Heli3DOFEnv(plant, own, rig=rig)
+            draws = 1 if plant == "nominal" else args.draws
+            flights = [fly(env, policy, seed=HELD_OUT_SEED + k) for k in range(draws)]
+            mean = np.mean([outcome(flight, rig) for flight in flights], axis=0)
+            cells.append(" ".join(f"{value:7.2f}" for value in mean))
+        print(f"{name:24s} | " + " | ".join(cells))
+
+
+if __name__ == "__main__":
+    main()
