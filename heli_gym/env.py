@@ -1,4 +1,4 @@
-"""Heli3DOF-v0: one helicopter that is to follow a reference."""
+"""Heli3DOF-v0: one helicopter that tracks a reference."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -101,24 +101,25 @@ class Heli3DOFEnv(gym.Env):
     A laboratory helicopter with three degrees of freedom: an arm that turns about a vertical axis (travel) and a
     horizontal one (elevation) carries a counterweight at one end and, at the other, a body with two fans that turns
     about the arm (pitch). Pitch tilts the thrust and so drives the travel: three angles, two voltages, an
-    underactuated system. It is to follow a reference: by default the 360 degree travel rotation in 10 s of
+    underactuated system. It tracks a reference: by default the 360 degree travel rotation in 10 s of
     Kiefer, Graichen and Kugi, "Trajectory tracking of a 3DOF laboratory helicopter under input and state
     constraints" (IEEE Transactions on Control Systems Technology 18(4), 2010), planned within 1 to 11 V and
     50 degrees of pitch. Equation numbers are the paper's.
 
-    Three plants:
+    Four plants:
 
     | Plant     | What it is                                                                                |
     |-----------|-------------------------------------------------------------------------------------------|
     | `nominal` | (3) with the thrust map (2), exactly                                                      |
     | `lab`     | (3) with rotor lag, friction, thrust loss, one period of delay, encoders, estimated rates |
     | `rigid`   | the full rigid body in one of two variants, with the same actuators, friction and sensors |
+    | `fleet`   | rigs as 15 measured flights show them, with their thrust maps, delays, zeros and a table   |
 
-    `lab` and `rigid` are drawn anew in every episode, from ranges of published models and data of such rigs. Only
-    travel damping, published from 0.017 to 0.48 1/s, ends at 0.20: at the greatest travel rate of the paper's plan, a
-    tilt of 50 degrees outweighs 0.35 1/s and no more, and from 0.25 1/s on, following the plan takes more than the
-    amplifier's 12 V. The integrator is Runge-Kutta of order four: one step per control period on `nominal`, steps
-    of 10 ms on the others.
+    `lab`, `rigid` and `fleet` are drawn anew in every episode, the first two from ranges of published models and data
+    of such rigs. Only travel damping, published from 0.017 to 0.48 1/s, ends at 0.20: at the greatest travel rate of
+    the paper's plan, a tilt of 50 degrees outweighs 0.34 1/s at the plan's elevation and 0.30 1/s level, and from
+    0.25 1/s on, following the plan takes more than the amplifier's 12 V. The integrator is Runge-Kutta of order four:
+    one step per control period on `nominal`, steps of 10 ms at most on the others.
 
     ## Action Space
 
@@ -196,8 +197,8 @@ class Heli3DOFEnv(gym.Env):
 
     ## Arguments
 
-    - `plant`: "nominal", "lab", "rigid", or a `heli_gym.plant.Plant`, which may combine friction, rotors, sensors,
-      pushes, gusts, a moving mass and rotor faults.
+    - `plant`: "nominal", "lab", "rigid", "fleet", or a `heli_gym.plant.Plant`, which may combine friction, rotors,
+      sensors, thrust maps, a table, pushes, gusts, a moving mass, rotor faults and drift.
     - `reference`: the name of a packaged reference ("back-60-descend", "climb-15", "climb-7.5", "descend-7.5",
       "elevation-sine", "return-180", "take-off", "travel-180", "travel-360-slow", "travel-360", "travel-90-climb"), the
       path of an .npz file that `Trajectory.save` wrote, or a `Trajectory`. Or a sampler, which draws one for every
@@ -209,9 +210,9 @@ class Heli3DOFEnv(gym.Env):
     - `start_spread_deg`: degrees, see Starting State.
     - `random_start`: whether episodes start at a random time of the maneuver, rather than at its start.
     - `render_mode`: "human" for a window, in real time; "rgb_array" for pictures. Both need `heli-gym[render]`.
-    - `rig`: "paper" (the default), "quanser", "ntnu", the path of a .toml file, or a `heli_gym.Rig`, whose coefficients
-      and thrust map the plants fly that have none of their own. A packaged reference is planned anew for a rig that
-      cannot fly it; a plan for another rig is refused.
+    - `rig`: "paper" (by default, but for the plant "fleet"), "fleet", "quanser", "ntnu", the path of a .toml file, or a
+      `heli_gym.Rig`, whose coefficients and thrust map the plants fly that have none of their own. A packaged reference
+      is planned anew for a rig that cannot fly it; a plan for another rig is refused.
 
     All are plain values, so that a spec survives JSON, or objects. Bad ones raise a `ValueError` that names them, an
     unknown one a `TypeError`.

@@ -33,7 +33,8 @@ from heli_gym.simulation.layout import COMMAND, COST, MEASURED, REWARD, SUCCEEDE
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
 
-MOST = 2**31  # helicopters, or steps of an episode
+MOST_ENVS = 2**20  # helicopters, which take 1 GB
+MOST_STEPS = 2**31  # of an episode
 MOST_THREADS = 256
 
 
@@ -76,10 +77,10 @@ class Heli3DOFVectorEnv(VectorEnv):
         rig: str | Rig | None = None,
         threads: int = 1,
     ) -> None:
-        num_envs, self.threads = _count("num_envs", num_envs), _count("threads", threads)
-        if self.threads > MOST_THREADS:
-            raise ValueError(f"threads = {threads!r}: must be at most {MOST_THREADS}")
-        self.max_steps = None if max_episode_steps is None else _count("max_episode_steps", max_episode_steps)
+        num_envs, self.threads = _count("num_envs", num_envs, MOST_ENVS), _count("threads", threads, MOST_THREADS)
+        self.max_steps = (
+            None if max_episode_steps is None else _count("max_episode_steps", max_episode_steps, MOST_STEPS)
+        )
         if dtype not in ("float64", "float32"):
             raise ValueError(f"dtype = {dtype!r}: must be 'float64' or 'float32'")
         if render_mode not in (None, *self.metadata["render_modes"]):
@@ -406,10 +407,10 @@ class Heli3DOFVectorEnv(VectorEnv):
         self.over, self.is_waiting = np.zeros(self.num_envs, bool), False
 
 
-def _count(name: str, value: Any) -> int:
+def _count(name: str, value: Any, most: int) -> int:
     """The value, if it is a positive whole number."""
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not 1 <= value <= MOST:
-        raise ValueError(f"{name} = {value!r}: must be a positive whole number, at most {MOST}")
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not 1 <= value <= most:
+        raise ValueError(f"{name} = {value!r}: must be a positive whole number, at most {most}")
     return int(value)
 
 

@@ -309,6 +309,16 @@ def test_actions_are_affine_in_the_voltages_on_either_side_of_hover(arguments, z
     assert_allclose(env.to_action(voltage), action, atol=1e-12)
 
 
+def test_hands_off_every_rig_of_the_fleet_stays_in_the_air():
+    env = Heli3DOFEnv("fleet", "climb-7.5")
+    assert env.rig.name == "fleet"
+    assert_allclose(env.hover_voltage, 3.67, atol=0.01)
+    for seed in range(10):
+        flight = episode(env, seed, [(0.0, 0.0)] * 250)
+        assert flight[-1][3]
+        assert abs(flight[-1][4]["state"][2]) < np.radians(60.0)
+
+
 def test_hands_off_an_untrained_agent_hovers():
     env = Heli3DOFEnv(reference=hover(5.0))
     *_, (_, _, _, truncated, info) = episode(env, 0, [(0.0, 0.0)] * 250)

@@ -121,6 +121,7 @@ def test_arrays_that_are_handed_out_are_not_written_again():
         (lambda: Heli3DOFVectorEnv(2, plant=["lab", "rigid"]), "either all plants"),
         (lambda: Heli3DOFVectorEnv(2, reference="moon"), "reference = 'moon'"),
         (lambda: Heli3DOFVectorEnv(10**400), "num_envs = 1000"),
+        (lambda: Heli3DOFVectorEnv(2**31), "num_envs = 2147483648"),
         (lambda: Heli3DOFVectorEnv(2, max_episode_steps=0), "max_episode_steps = 0"),
         (lambda: Heli3DOFVectorEnv(2).reset(options=5), "options = 5"),
         (lambda: Heli3DOFVectorEnv(2).reset(options={"mask": 1}), "options = .*'state'"),
