@@ -5,7 +5,7 @@ from typing import NamedTuple
 # The palette of Okabe and Ito and three tones more: colour-blind readers can tell them apart. One colour per family.
 BLUE, GREEN, PINK, ORANGE, SKY, RED = "#0072B2", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#D55E00"
 VIOLET, BROWN, GREY = "#7A5195", "#8C6D31", "#6B7280"
-SPARE = (VIOLET, BROWN, "#2F4B7C", "#A05195", "#665191", "#3A7D44", "#8A8A00", "#B2456E")
+SPARE = ("#5B3A29", "#1B6F8A", "#9C2C5A", "#4F7F1F", "#7F5F00", "#34508F", "#8F3F8F", "#006D5B")
 
 
 class Label(NamedTuple):
@@ -28,6 +28,11 @@ LABELS = {
     "lag-lqi": Label("lag LQR with integral", "#2F4B7C", "Table I, middle lag and delay, rates"),
     "adaptive-mpc": Label("adaptive MPC", RED, "Table I, ranges of the draws; angles only"),
     "adaptive-lqr": Label("adaptive LQR", "#A05195", "Table I, ranges of the draws; angles only"),
+    "nmpc": Label("nonlinear MPC", "#3A7D44", "Table I, middle lag, delay, friction; angles only"),
+    "l1-adaptive": Label("L1 adaptive", "#8A8A00", "Table I, rates"),
+    "gain-scheduled": Label("gain-scheduled LQR", "#665191", "Table I, rates"),
+    "flatness": Label("flatness-based", "#B2456E", "Table I, rates"),
+    "pd-cascade": Label("PD cascade", "#4D6A6D", "the rig's hover voltage, rates"),
     "oracle": Label("oracle", "#1d242d", "the draw itself"),
     "middle-voltage": Label("middle voltage", GREY, "nothing"),
     "zero": Label("zero voltage", GREY, "nothing"),

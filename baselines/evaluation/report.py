@@ -3,10 +3,12 @@
 The program in them is TypeScript, in web/; `npm ci && npm run build` there bundles it into baselines/evaluation/web/.
 """
 
+import base64
 import json
 import os
 import re
 from collections.abc import Mapping, Sequence
+from hashlib import sha256
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
@@ -47,6 +49,8 @@ def write_page(path: str | os.PathLike, kind: str, title: str, data: Mapping[str
         "data": json.dumps(data, separators=(",", ":"), allow_nan=False),
         "script": (WEB / "heli.js").read_text(),
     }
+    # Only the program itself may run: whatever script a name might smuggle in has another hash.
+    parts["hash"] = base64.b64encode(sha256(parts["script"].encode()).digest()).decode()
     # No text of a user can end the element that it stands in.
     parts["title"] = parts["title"].replace("&", "&amp;").replace("<", "&lt;")
     parts["data"] = parts["data"].replace("<", "\\u003c")

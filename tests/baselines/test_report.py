@@ -146,6 +146,39 @@ def test_what_users_name_cannot_leave_its_place_in_the_page(tmp_path):
     assert '{"text":"\\u003c/script>\\u003c!--script-->"}' in text
 
 
+HOSTILE = "<img src=x onerror=\"document.title='ran'\"></script><script>document.title='ran'</script>'\"&"
+
+
+def test_hostile_names_are_shown_and_run_nothing(tmp_path):
+    env = Heli3DOFEnv()
+    flight = fly(env, make_policy("open-loop", env.reference), seed=0)
+    table = {"title": HOSTILE, "caption": HOSTILE, "columns": ["start", HOSTILE], "rows": [["perturbed", HOSTILE]]}
+    shown = [report.Shown(HOSTILE, {HOSTILE: flight}, [(HOSTILE, HOSTILE)])]
+    report.write_report(tmp_path / "page.html", HOSTILE, table, env.reference, shown)
+    script = """
+        await page.evaluate(() => document.body.insertAdjacentHTML("beforeend", "<b id=late>late</b>"));
+        const late = await page.evaluate(() => {
+          const element = document.createElement("script");
+          element.textContent = "document.title = 'ran'";
+          document.body.append(element);
+          return document.title;
+        });
+        const text = await page.locator("h1").textContent();
+        return {late, text, images: await page.locator("img").count()};
+    """
+    # the one complaint of the browser is that it refuses the script that is smuggled in here
+    with pytest.raises(AssertionError, match="Content Security Policy"):
+        in_browser(tmp_path / "page.html", script)
+    seen = in_browser(
+        tmp_path / "page.html",
+        """
+        return {title: await page.title(), text: await page.locator("h1").textContent(),
+                images: await page.locator("img").count()};
+    """,
+    )
+    assert seen == {"title": f"heli_gym: {HOSTILE}", "text": HOSTILE, "images": 0}
+
+
 @pytest.mark.parametrize("name", ["page.txt", "page", "folder.html", "file/page.html"])
 def test_another_kind_of_file_is_refused_before_anything_is_flown(tmp_path, monkeypatch, name):
     monkeypatch.setattr(evaluate, "fly", None)
