@@ -28,9 +28,25 @@ class HelicopterParameters(NamedTuple):
     c3: Scalar = 0.0  # 1/s, viscous friction of pitch
 
 
+PATH_LIMITS = {  # the optional fields of Limits, and their units in words
+    "elevation_min": "deg",
+    "elevation_max": "deg",
+    "travel_rate": "deg/s",
+    "elevation_rate": "deg/s",
+    "slew": "",
+}
+
+
 @dataclass(frozen=True)
 class Limits:
-    """What a planned flight may use: voltages in V and pitch in rad. The defaults are (9).
+    """What a planned flight may use: voltages in V and pitch in rad, (9) by default; more limits where they are given.
+
+    Args:
+        u_min, u_max: voltages in V.
+        pitch_min, pitch_max: in rad.
+        elevation_min, elevation_max: in rad, positive down.
+        travel_rate, elevation_rate: at most, in rad/s, in both directions.
+        slew: change of a voltage at most, in V/s.
 
     Raises ValueError if a limit is not finite, or if the limits contradict each other.
     """
@@ -39,11 +55,26 @@ class Limits:
     u_max: float = 11.0
     pitch_min: float = -math.radians(50.0)
     pitch_max: float = math.radians(50.0)
+    elevation_min: float | None = None
+    elevation_max: float | None = None
+    travel_rate: float | None = None
+    elevation_rate: float | None = None
+    slew: float | None = None
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
-            if not math.isfinite(value):
+            if value is not None and not math.isfinite(value):
                 raise ValueError(f"{name} = {value!r}: must be a finite number")
+        for name in ("travel_rate", "elevation_rate", "slew"):
+            value = getattr(self, name)
+            if value is not None and not value > 0.0:
+                raise ValueError(f"{name} = {value!r}: must be positive")
+        low, high = self.elevation_min, self.elevation_max
+        if low is not None and high is not None and not low < high:
+            raise ValueError(
+                f"elevation_min = {low:g} rad and elevation_max = {high:g} rad: elevation_min must be less than "
+                "elevation_max"
+            )
         if not self.u_min < self.u_max:
             raise ValueError(f"u_min = {self.u_min:g} V and u_max = {self.u_max:g} V: u_min must be less than u_max")
         if not -math.pi / 2 < self.pitch_min < 0.0 < self.pitch_max < math.pi / 2:
@@ -54,7 +85,12 @@ class Limits:
 
     def __str__(self) -> str:
         low, high = np.degrees(self.pitch)
-        return f"{self.u_min:g} to {self.u_max:g} V and {low:g} to {high:g} deg of pitch"
+        more = [
+            f"{name.replace('_', ' ')} {math.degrees(value) if unit else value:g} {unit or 'V/s'}"
+            for name, unit in PATH_LIMITS.items()
+            if (value := getattr(self, name)) is not None
+        ]
+        return ", ".join([f"{self.u_min:g} to {self.u_max:g} V and {low:g} to {high:g} deg of pitch", *more])
 
     @property
     def u(self) -> tuple[float, float]:

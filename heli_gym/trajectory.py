@@ -5,7 +5,7 @@ import os
 from dataclasses import dataclass, field
 from numbers import Real
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -30,6 +30,9 @@ class Maneuver:
             (9).
         parameters: the coefficients of (3), the rig's by default; without a rig, of (2) and (3).
         rig: the rig that flies, or its name or file; "paper" by default.
+        floor: travel (N,), increasing, and elevation (N,) in rad: a line in space, linear in between and level outside,
+            at or above which the helicopter stays (q2 at most the line's elevation, since elevation is positive down).
+        start_state, goal_state: (6,), in place of start and goal: ends that are not at rest.
 
     Raises:
         ValueError: if a value is not finite, the duration is not positive, hover at the start or at the goal needs
@@ -42,8 +45,21 @@ class Maneuver:
     limits: Limits = None  # type: ignore[assignment]
     parameters: HelicopterParameters = None  # type: ignore[assignment]
     rig: Rig = None  # type: ignore[assignment]
+    floor: tuple[tuple[float, ...], tuple[float, ...]] | None = None
+    start_state: tuple[float, ...] | None = None
+    goal_state: tuple[float, ...] | None = None
 
     def __post_init__(self) -> None:
+        for end in ("start", "goal"):
+            state = getattr(self, f"{end}_state")
+            if state is not None:
+                x = np.asarray(state, dtype=float)
+                if x.shape != (6,) or not np.isfinite(x).all() or not abs(x[4]) < math.pi / 2:
+                    raise ValueError(f"{end}_state = {state!r}: must be a finite state (6,) with a pitch below 90 deg")
+                object.__setattr__(self, f"{end}_state", tuple(x.tolist()))
+                object.__setattr__(self, end, (float(x[0]), float(x[2])))
+        if self.floor is not None:
+            object.__setattr__(self, "floor", checked_floor(self.floor))
         if not isinstance(self.limits, Limits | None):
             raise ValueError(f"limits = {self.limits!r}: must be a Limits")
         rig = None if self.rig is None else find_rig(self.rig)
@@ -83,12 +99,36 @@ class Maneuver:
                     f"{volts}, and the limits are {self.limits.u_min:g} to {self.limits.u_max:g} V"
                 )
 
+    @property
+    def ends(self) -> np.ndarray:
+        """States (2, 6) at the start and at the goal."""
+        points = (self.start, self.start_state), (self.goal, self.goal_state)
+        return np.array([[travel, 0.0, lift, 0.0, 0.0, 0.0] if x is None else x for (travel, lift), x in points])
+
+    @property
+    def is_from_rest_to_rest(self) -> bool:
+        """Whether neither end has a state of its own."""
+        return self.start_state is None and self.goal_state is None
+
     def __str__(self) -> str:
         (travel, elevation), (new_travel, new_elevation) = np.degrees(self.start), np.degrees(self.goal)
         return (
             f"travel {travel:g} to {new_travel:g} deg, elevation {elevation:g} to {new_elevation:g} deg "
             f"in {self.duration:g} s within {self.limits}"
         )
+
+
+def checked_floor(floor: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """The floor as plain numbers. Raises ValueError unless it is a line over an increasing travel."""
+    try:
+        travel, elevation = (np.asarray(row, dtype=float) for row in floor)
+        fits = travel.ndim == 1 and travel.shape == elevation.shape and len(travel) > 1
+        fits = fits and bool(np.isfinite([travel, elevation]).all() and (np.diff(travel) > 0.0).all())
+    except (TypeError, ValueError):
+        fits = False
+    if not fits:
+        raise ValueError(f"floor = {floor!r}: must be (travel, elevation), finite (N,) each, in rad, travel increasing")
+    return tuple(travel.tolist()), tuple(elevation.tolist())
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -171,7 +211,7 @@ class Trajectory:
         path = Path(path)
         if path.suffix != ".npz":
             raise ValueError(f"path = {str(path)!r}: must end in .npz")
-        limits = np.array([*self.limits.u, *self.limits.pitch])
+        limits = np.array([math.nan if value is None else value for value in vars(self.limits).values()])
         with atomic_write(path) as file:
             np.savez_compressed(file, t=self.t, x=self.x, u=self.u, limits=limits, rig=np.array(self.rig.to_toml()))
 
@@ -185,7 +225,7 @@ class Trajectory:
         try:
             # opened here, so that it is closed whatever it turns out to hold
             with open(path, "rb") as file, np.load(file, allow_pickle=False) as data:
-                limits = Limits(*(float(limit) for limit in data["limits"]))
+                limits = Limits(*(None if math.isnan(limit) else float(limit) for limit in data["limits"]))
                 own = Rig.from_toml(str(data["rig"])) if "rig" in data else PAPER
                 trajectory = cls(data["t"], data["x"], data["u"], limits, own)
         except OSError:

@@ -8,6 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from heli_gym.baselines.paper.boundary_value import SAMPLE_PERIOD, sample_times
+from heli_gym.baselines.planning.path import path_fault
 from heli_gym.model import fan_thrusts, hover_input, linearise, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -77,6 +78,8 @@ def followed_by_hover(trajectory: Trajectory, maneuver: Maneuver) -> Trajectory:
     rest = sample_times(replace(maneuver, duration=left))[1:]
     t = np.concatenate((trajectory.t, trajectory.duration + rest))
     t[-1] = maneuver.duration
+    if maneuver.goal_state is not None:
+        return trajectory  # which does not end in hover
     travel, elevation = maneuver.goal
     hover = maneuver.rig.voltage(np.array(fan_thrusts(hover_input(elevation, maneuver.parameters))))
     x = np.repeat([[travel], [0.0], [elevation], [0.0], [0.0], [0.0]], len(rest), axis=1)
@@ -109,6 +112,7 @@ def infeasible(maneuver: Maneuver, shortest: Trajectory | None, clock: TimeLimit
     riding = " and ".join(f"on the {name} limit {share:.0%}" for name, share in shares.items() if round(share, 2))
     said = [f"its pitch reaches {pitch:.0%} of its limit"] if round(pitch, 2) else []
     said += [f"its voltages ride {riding} of the time"] if riding else []
+    said += [fault for fault in clock.rejected if "way exceeds" in fault][:1]
     return InfeasibleManeuver(
         f"no plan for {maneuver}; the shortest found takes {shortest.duration:.2f} s"
         + (f": {', and '.join(said)}" if said else ""),
@@ -159,4 +163,4 @@ def fault_of(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
         excess = max(low - values.min(), values.max() - high)
         if excess > LIMIT_TOLERANCE:
             return f"the plan's {name} exceed their limits by {excess:.2g} {unit}"
-    return None
+    return path_fault(maneuver, trajectory)

@@ -3,8 +3,10 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from heli_gym.baselines.paper.boundary_value import FINE, solve_unconstrained, unconstrained_trajectory
 from heli_gym.baselines.planning import spline
@@ -28,10 +30,12 @@ from heli_gym.baselines.planning.paper_method import (
     plan_fastest_paper,
     plan_paper,
 )
+from heli_gym.baselines.planning.path import check_ends
 from heli_gym.parameters import Limits
 from heli_gym.trajectory import Maneuver, Trajectory
 
 PITCH_RESERVES = (0.0, 1e-4)  # shares of the pitch limits that the fastest spline leaves: flown, it is off by 1e-5 rad
+RESERVE_ACCURACY = 5e-3  # of the largest reserve
 FLAT_ACCURACY = 1e-3  # relative, of the shortest duration of a flat plan
 WORTH_NAMING = 0.01  # share of the duration that a limit must cost, by its whole window, to be called in the way
 
@@ -51,9 +55,14 @@ def plan_unconstrained(maneuver: Maneuver) -> Trajectory:
 
 
 def plan(
-    maneuver: Maneuver, method: str = "auto", time_limit: float | None = None, near: Trajectory | None = None
+    maneuver: Maneuver,
+    method: str = "auto",
+    time_limit: float | None = None,
+    near: Trajectory | None = None,
+    objective: str | None = None,
+    start_state: ArrayLike | None = None,
 ) -> Trajectory:
-    """A trajectory from rest to rest that meets the maneuver's limits.
+    """A trajectory between the maneuver's ends, at rest if nothing else is given, that meets its limits.
 
     Whatever the method, what is returned has been replayed through (3) by an adaptive integrator: it ends within
     1e-3 rad and 1e-3 rad/s of the goal for each turn of travel, and stays within the limits to 1e-6 V and rad.
@@ -72,22 +81,43 @@ def plan(
             an installation, takes some 20 s of it.
         near: a plan of a similar maneuver, by whatever method, from which "paper", "spline" and "auto" then start;
             where that leads to nothing, they start as they would without.
+        objective: by splines, of all plans in the maneuver's duration the "smoothest", that of least "effort" (the mean
+            square of the distance of the thrusts from those of hover at the goal) or that of most "reserve" (the share
+            of the windows of voltages and pitch that is left free); "shortest" is that of `plan_fastest`.
+        start_state: (6,) from which to plan, measured in flight say, in place of the maneuver's start; with `near`, the
+            plan that was flown, whose last part is the guess.
 
     Raises:
-        ValueError: if the method is unknown or cannot start from a plan, or the time limit is not positive.
+        ValueError: if the method is unknown or cannot start from a plan, the objective is unknown or of another method,
+            an end breaks a constraint or is not at rest where the method needs that, or the time limit is not positive.
         InfeasibleManeuver: if the method finds no such trajectory; names the constraint in the way and the shortest
             duration that it can plan; or if the time is over.
     """
     if method not in METHODS:
         raise ValueError(f"method = {method!r}: must be one of {', '.join(METHODS)}")
+    if objective not in (None, *OBJECTIVES):
+        raise ValueError(f"objective = {objective!r}: must be one of {', '.join(OBJECTIVES)}")
+    if objective is not None and method not in ("auto", "spline"):
+        raise ValueError(f"objective = {objective!r}: must go with method 'auto' or 'spline'")
+    if start_state is not None:
+        maneuver = replace(maneuver, start_state=tuple(np.asarray(start_state, dtype=float).tolist()))
+    if not maneuver.is_from_rest_to_rest and method not in ("auto", "spline"):
+        raise ValueError(f"method = {method!r} plans from rest to rest: must be auto or spline for other ends")
     check_scale(maneuver)
+    check_ends(maneuver)
     clock = start_clock(maneuver, time_limit)
+    if not maneuver.is_from_rest_to_rest:
+        method = "spline"
+    if near is None and objective is not None:
+        return OBJECTIVES[objective](maneuver, clock)
     if near is None:
         return METHODS[method](maneuver, clock)
     if not isinstance(near, Trajectory):
         raise ValueError(f"near = {near!r}: must be a Trajectory")
     if method not in NEARBY:
         raise ValueError(f"method = {method!r} does not start from another plan: must be one of {', '.join(NEARBY)}")
+    if objective is not None:
+        raise ValueError(f"objective = {objective!r}: must go without a plan near by")
     return NEARBY[method](maneuver, near, clock) or METHODS[method](maneuver, clock)
 
 
@@ -118,17 +148,20 @@ def plan_fastest(
     if maneuver.start == maneuver.goal:
         raise ValueError(f"goal = {maneuver.goal}: must differ from the start")
     check_scale(maneuver)
-    requested = replace(maneuver, limits=with_pitch_reserve(maneuver.limits, reserve))
+    check_ends(maneuver)
+    if not maneuver.is_from_rest_to_rest:
+        raise ValueError(f"{maneuver}: must start and end at rest to be flown as fast as possible")
+    requested = replace(maneuver, limits=with_reserve(maneuver.limits, reserve))
     return replace(FASTEST[method](requested, start_clock(maneuver, time_limit)), limits=maneuver.limits)
 
 
-def with_pitch_reserve(limits: Limits, reserve: float) -> Limits:
+def with_reserve(limits: Limits, reserve: float) -> Limits:
     """Narrower windows of voltages and pitch, by a share, about the same centres."""
     (u_min, u_max), (pitch_min, pitch_max) = (
         (low + 0.5 * reserve * (high - low), high - 0.5 * reserve * (high - low))
         for low, high in (limits.u, limits.pitch)
     )
-    return Limits(u_min, u_max, pitch_min, pitch_max)
+    return replace(limits, u_min=u_min, u_max=u_max, pitch_min=pitch_min, pitch_max=pitch_max)
 
 
 # The methods
@@ -192,6 +225,8 @@ def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     trajectory = validated(maneuver, spline.plan_smoothest(maneuver), clock)
     if trajectory is not None:
         return trajectory
+    if not maneuver.is_from_rest_to_rest:
+        raise infeasible(maneuver, None, clock)
     fastest, trajectory = fastest_spline(maneuver, clock)
     if fastest.duration > maneuver.duration:
         raise slower_than_requested(maneuver, fastest)
@@ -209,6 +244,31 @@ def plan_fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     if fastest.duration > maneuver.duration:
         raise slower_than_requested(maneuver, fastest)
     return trajectory
+
+
+def plan_objective(maneuver: Maneuver, clock: TimeLimit, optimum: Callable) -> Trajectory:
+    """The spline of an objective in the maneuver's duration; where it is not found, that of `plan_spline`."""
+    found = validated(maneuver, spline.plan_smoothest(maneuver, optimum), clock)
+    return plan_spline(maneuver, clock) if found is None else found
+
+
+def plan_reserve(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+    """The smoothest spline in the narrowest windows of voltages and pitch, found by bisection of the reserve."""
+    best, low, high = plan_spline(maneuver, clock), 0.0, 1.0
+    while high - low > RESERVE_ACCURACY:
+        clock.check()
+        share = 0.5 * (low + high)
+        try:
+            narrower = replace(maneuver, limits=with_reserve(maneuver.limits, share))
+        except ValueError:  # not even hover is left
+            high = share
+            continue
+        found = validated(narrower, spline.plan_near(narrower, best) or spline.plan_smoothest(narrower))
+        if found is None:
+            high = share
+        else:
+            best, low = found, share
+    return replace(best, limits=maneuver.limits)
 
 
 def slower_than_requested(maneuver: Maneuver, fastest: spline.Spline) -> InfeasibleManeuver:
@@ -247,6 +307,11 @@ def binding_limits(maneuver: Maneuver, fastest: spline.Spline) -> str:
         f"the pitch limits (1 degree more would save {(pitch_low + pitch_high) * degree:.2g} s)": (
             (pitch_low + pitch_high) * max(limits.pitch)
         ),
+    }
+    savings |= {
+        f"{name} (1 {unit} more would save {fastest.duration * value * by:.2g} s)": fastest.duration * value * by
+        for name, value in fastest.by_path
+        for unit, by in [("N/s", 1.0) if name == "slew" else ("deg/s" if "rate" in name else "degree", degree)]
     }
     named = [name for name, saving in savings.items() if saving > WORTH_NAMING * fastest.duration]
     return f"in the way are {' and '.join(named)}" if named else "none of its limits stands out as the cause"
@@ -325,6 +390,12 @@ NEARBY: dict[str, Callable[[Maneuver, Trajectory, TimeLimit], Trajectory | None]
     "auto": auto_near,
     "paper": plan_by_shooting_near,
     "spline": spline_near,
+}
+OBJECTIVES: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
+    "shortest": plan_fastest_auto,
+    "effort": partial(plan_objective, optimum=spline.least_effort),
+    "reserve": plan_reserve,
+    "smoothest": partial(plan_objective, optimum=spline.exactly_smoothest),
 }
 FASTEST: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
     "auto": plan_fastest_auto,

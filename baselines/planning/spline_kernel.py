@@ -21,13 +21,15 @@ from heli_gym.compilation import Compiler
 from heli_gym.model import dynamics, inverse_dynamics
 
 BAND = 8  # diagonals of the lower triangle: four coefficients of two outputs meet in a segment
+LOCAL_BAND = 10  # the same with rows that connect neighbouring points
 DIFFERENCE = 3e-5  # rad, of elevation and pitch, for second derivatives
 INNER = 0.5 / math.sqrt(5.0)
 POINTS = (0.0, 0.5 - INNER, 0.5 + INNER)  # Lobatto's, of a segment; its fourth is the first of the next
 WEIGHTS = (1.0 / 6.0, 5.0 / 12.0, 5.0 / 12.0)  # of the quadrature, at a knot the shares of both segments
 SHARES = (1.0 / 12.0, 5.0 / 12.0, 5.0 / 12.0, 1.0 / 12.0)  # the same, of one segment
 KNOT = (1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0)  # values of the splines at a knot
-ELEVATION, ELEVATION_RATE, TRAVEL_RATE, FLOOR = 0, 1, 2, 3  # kinds of rows; the first two by coefficients, else knots
+# Kinds of rows: of coefficients, of their differences, of knots twice, of thrusts and the same at the next point
+ELEVATION, ELEVATION_RATE, TRAVEL_RATE, FLOOR, SLEW = 0, 1, 2, 3, 4
 THIRD = (-1.0, 3.0, -3.0, 1.0)  # third difference
 CLOSEST = 0.02  # share of the distance between its bounds that a guess keeps from them
 TO_BOUNDARY = 0.99  # share of the way to a bound that a step may go
@@ -206,6 +208,8 @@ def evaluate(c, s, travel, weights, parameters, points, rows, floor, f, r, knots
                 h[n] = rates[k]
             elif kind == FLOOR:
                 h[n] = (c[k, 0] + 4.0 * c[k + 1, 0] + c[k + 2, 0]) / 6.0 - floor_at(angles[k], floor)[0]
+            elif kind == SLEW:
+                h[n] = root * (f[k + 2] - f[k]) / (tau[k // 2 + 1] - tau[k // 2])
     return objective, e1, e2
 
 
@@ -238,9 +242,16 @@ def assemble(
     )
     has_rows = len(rows) > 0
     R, R_s = np.empty((count if has_rows else 0, 8)), np.empty(count if has_rows else 0)
-    on_travel, on_travel_s = np.zeros(count), np.zeros(count)
+    on_travel, on_travel_s, on_thrusts = np.zeros(count), np.zeros(count), np.zeros(2 * count)
     if has_rows:
-        pull_on_travel(y[2 * count + segments - 3 :], s, travel, points, rows, floor, knots, on_travel, on_travel_s)
+        on_rows = y[2 * count + segments - 3 :]
+        pull_on_travel(on_rows, s, travel, points, rows, floor, knots, on_travel, on_travel_s)
+        for q in range(len(rows)):
+            if rows[q, 0] == SLEW:
+                k = rows[q, 1]
+                pulled = on_rows[q] * root / (tau[k // 2 + 1] - tau[k // 2])
+                on_thrusts[k + 2] += pulled
+                on_thrusts[k] -= pulled
     ss, gs = 0.5 * time_weight / s**2, 0.0
     decay, advance = arrival(T, damping)
     es1 = (travel[0] * decay * (1.0 + damping * T) - travel[2]) * 0.5 / root
@@ -254,7 +265,7 @@ def assemble(
         w1, w2 = weight[p] * decay, weight[p] * root * advance
         w1_s, w2_s = 0.5 * damping * left * w1 / s, 0.5 * (w2 - weight[p] * decay * (1.0 - tau[p])) / s
         push_f, push_b = effort * weight[p] * (f[2 * p] - hover), effort * weight[p] * (f[2 * p + 1] - hover)
-        y_f, y_b = y[2 * p] + push_f, y[2 * p + 1] + push_b
+        y_f, y_b = y[2 * p] + push_f + on_thrusts[2 * p], y[2 * p + 1] + push_b + on_thrusts[2 * p + 1]
         stiff_f, stiff_b = stiffness[2 * p] + effort * weight[p], stiffness[2 * p + 1] + effort * weight[p]
         by_v1, by_v2 = 0.5 * (y_f + y_b), 0.5 * (y_f - y_b)
         by_eta, by_eta_s = w1 * lam1 + w2 * lam2 + on_travel[p], w1_s * lam1 + w2_s * lam2 + on_travel_s[p]
@@ -320,16 +331,19 @@ def assemble(
                     for k in range(max(0, i - n // 2), i + 1):
                         M[n, 2 * (i - k)] += smooth[o] * THIRD[i] * THIRD[k]
     if has_rows:
-        differentiate_rows(c, s, travel, points, rows, floor, r, R, R_s, knots, J)
+        differentiate_rows(c, s, travel, points, rows, floor, f, F, r, R, R_s, knots, J)
         offset = 2 * count + segments - 3
         for q in range(len(rows)):
             stiff = stiffness[offset + q]
             ss += stiff * J[q, unknowns] ** 2
-            for n in range(unknowns):
+            begin = 0
+            while begin < unknowns and J[q, begin] == 0.0:
+                begin += 1
+            for n in range(begin, unknowns):
                 push = stiff * J[q, n]
-                if push > 0.0 or push < 0.0:
+                if push != 0.0:
                     G[n, 0] += push * J[q, unknowns]
-                    for m in range(n + 1):
+                    for m in range(max(begin, n - M.shape[1] + 1), n + 1):
                         M[n, n - m] += push * J[q, m]
     return gs, ss, es1, es2
 
@@ -361,7 +375,7 @@ def pull_on_travel(y, s, travel, points, rows, floor, knots, on_travel, on_trave
         on_angle[j] += on_angle[j + 1]
 
 
-def differentiate_rows(c, s, travel, points, rows, floor, r, R, R_s, knots, J):
+def differentiate_rows(c, s, travel, points, rows, floor, f, F, r, R, R_s, knots, J):
     """Fills in the rows' derivatives J (R, N + 1), given those of the accelerations, R (K, 8) by coefficients, by s."""
     _, first, tau, _ = points
     rates, angles = knots[0], knots[1]
@@ -408,6 +422,25 @@ def differentiate_rows(c, s, travel, points, rows, floor, r, R, R_s, knots, J):
             for i in range(3):
                 if 0 <= 2 * (k + i - 3) < unknowns:
                     J[n, 2 * (k + i - 3)] += KNOT[i]
+        elif kind == SLEW:
+            scale = root / (tau[k // 2 + 1] - tau[k // 2])
+            add_thrust(c, s, points, F, k + 2, scale, J[n])
+            add_thrust(c, s, points, F, k, -scale, J[n])
+            J[n, unknowns] += 0.5 * scale / s * (f[k + 2] - f[k])
+
+
+def add_thrust(c, s, points, F, k, scale, row):
+    """Adds to a row (N + 1,) so many times the derivatives of the k-th thrust by the coefficients, and by s."""
+    B, first, _, _ = points
+    p, root, z, unknowns = k // 2, math.sqrt(s), np.empty(6), len(row) - 1
+    outputs(c, root, B, first, p, z)
+    row[unknowns] += scale * (0.5 * (F[k, 1] * z[1] + F[k, 4] * z[4]) + F[k, 2] * z[2] + F[k, 5] * z[5]) / s
+    for i in range(4):
+        n = 2 * (first[p] + i - 3)
+        if 0 <= n < unknowns:
+            for o in range(2):
+                by_c = B[p, 0, i] * F[k, 3 * o] + root * B[p, 1, i] * F[k, 3 * o + 1] + s * B[p, 2, i] * F[k, 3 * o + 2]
+                row[n + o] += scale * by_c
 
 
 def vjp(force, F, J, c, s, points, g):
@@ -629,7 +662,11 @@ def solve(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu
     y, stiffness, force = np.empty(size), np.empty(size), np.empty(size)
     g, direct, dx = np.empty(unknowns), np.empty(unknowns), np.empty(unknowns)
     f, F, h = np.empty(count), np.empty((count, 6)), np.empty(len(rows))
-    M = np.empty((unknowns, unknowns if len(rows) > 0 else BAND))
+    band = BAND if len(rows) == 0 else LOCAL_BAND
+    for q in range(len(rows)):
+        if rows[q, 0] == TRAVEL_RATE or rows[q, 0] == FLOOR:
+            band = unknowns
+    M = np.empty((unknowns, band))
     L, J = np.zeros(M.shape), np.empty((len(rows), unknowns + 1))
     G, columns = np.empty((unknowns, 3)), np.empty((unknowns, 4))
     acceleration, knots = np.empty(count // 2), np.empty((2, segments + 1))

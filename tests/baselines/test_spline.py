@@ -72,7 +72,7 @@ def test_what_is_smoothest_is_a_minimum_of_the_squared_third_derivatives():
     requested = Maneuver(goal=(1.0, 0.1), duration=14.0)
     thrusts = thrust_bounds(requested.limits, requested.parameters)
     start = spline.guess(requested, 14.0, 30)
-    best = spline.optimise(requested, start, thrusts, 14.0, 1.0, 0.0, spline.COLD, 1e-10, 200)
+    best = spline.optimise(requested, start, spline.Bounds(thrusts), 14.0, (1.0, 0.0, 0.0), spline.COLD, 1e-10)
     t = np.linspace(0.0, 14.0, 1401)
     weights = np.array([TABLE_I.b2, TABLE_I.b3]) ** -2.0
 
@@ -105,9 +105,8 @@ def test_what_is_smoothest_is_a_minimum_of_the_squared_third_derivatives():
 def test_more_time_is_smoother():
     def roughness(duration):
         requested = Maneuver(duration=duration)
-        found = spline.smoothest(
-            requested, spline.guess(requested, duration, 30), thrust_bounds(requested.limits, requested.parameters)
-        )
+        bounds = spline.Bounds(thrust_bounds(requested.limits, requested.parameters))
+        found = spline.smoothest(requested, spline.guess(requested, duration, 30), bounds)
         return np.abs(interpolate(found.coefficients, duration, 500)[2]).max()
 
     assert roughness(14.0) < roughness(12.0) < roughness(10.0)

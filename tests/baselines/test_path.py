@@ -1,0 +1,175 @@
+"""Constraints on the way, ends in motion and objectives: as an independent integrator and least-effort optimum say."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from independent import replay
+from numpy.testing import assert_allclose
+
+from heli_gym import Limits, Maneuver, Trajectory, thrust
+from heli_gym.baselines import InfeasibleManeuver, plan, plan_fastest
+from heli_gym.baselines.planning.path import excesses, path_limits
+
+TRAVEL = np.linspace(0.0, 2.0 * math.pi, 201)
+BUMP = np.radians(8.0 - 16.0 * np.exp(-(((TRAVEL - math.pi) / 0.5) ** 2)))  # 8 degrees above level half-way
+CONSTRAINED = {
+    "a bump": Maneuver(duration=10.0, floor=(TRAVEL, BUMP)),
+    "an elevation window": Maneuver(duration=9.0, limits=Limits(elevation_min=-0.0175, elevation_max=0.0175)),
+    "a travel rate": Maneuver(duration=14.0, limits=Limits(travel_rate=1.0)),
+    "an elevation rate": Maneuver(goal=(3.0, -0.2), duration=8.0, limits=Limits(elevation_rate=0.05)),
+    "a slew": Maneuver(duration=11.0, limits=Limits(slew=6.0)),
+    "all of them": Maneuver(
+        duration=14.0, floor=(TRAVEL, BUMP), limits=Limits(travel_rate=0.9, elevation_rate=0.2, slew=6.0)
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CONSTRAINED)
+def test_a_plan_keeps_its_constraints_when_flown_through_equation_3(name):
+    requested = CONSTRAINED[name]
+    trajectory = plan(requested)
+    flown = replay(trajectory)
+    assert trajectory.duration == requested.duration
+    assert_allclose(flown[:, -1], requested.ends[1], atol=1e-3)
+    assert excesses(requested, trajectory.t, flown, trajectory.u)
+    for constraint, excess in excesses(requested, trajectory.t, flown, trajectory.u).items():
+        assert excess < (1e-4 if constraint == "slew" else 2e-5), constraint
+
+
+@pytest.mark.parametrize("name", ["a bump", "an elevation window", "an elevation rate"])
+def test_the_fastest_plan_keeps_them_and_takes_longer_for_it(name):
+    requested = replace(CONSTRAINED[name], duration=30.0)
+    constrained = plan_fastest(requested)
+    free = plan_fastest(Maneuver(requested.start, requested.goal, 30.0))
+    assert max(excesses(requested, constrained.t, replay(constrained), constrained.u).values()) < 2e-5
+    assert constrained.duration > free.duration - 0.1
+
+
+def test_without_the_constraints_the_same_plans_exceed_them():
+    for requested in CONSTRAINED.values():
+        free = plan(Maneuver(requested.start, requested.goal, requested.duration))
+        if requested is not CONSTRAINED["an elevation rate"]:
+            assert max(excesses(requested, free.t, free.x, free.u).values()) > 0.0
+
+
+def test_a_refusal_names_the_constraint_and_its_cost():
+    tight = Maneuver(duration=8.4, limits=Limits(elevation_min=-0.01, elevation_max=0.01))
+    with pytest.raises(InfeasibleManeuver, match=r"the shortest found takes.*elevation \(1 degree more would save"):
+        plan(tight)
+
+
+def test_other_methods_refuse_what_breaks_a_constraint_by_its_name():
+    with pytest.raises(InfeasibleManeuver, match="exceeds travel_rate by"):
+        plan(Maneuver(duration=14.0, limits=Limits(travel_rate=0.5)), "flat")
+
+
+def test_the_table_is_a_floor_where_both_ends_are_above_it():
+    table = Maneuver().rig.table_elevation
+    assert path_limits(Maneuver()).elevation_max == table
+    assert path_limits(Maneuver(limits=Limits(elevation_max=0.1))).elevation_max == 0.1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ({"floor": ([0.0, 0.0], [0.1, 0.1])}, "floor = .*travel increasing"),
+        ({"floor": 3}, "floor = 3"),
+        ({"start_state": (0.0, 1.0)}, "start_state = "),
+        ({"goal_state": [math.nan] * 6}, "goal_state = "),
+    ],
+    ids=str,
+)
+def test_what_is_no_constraint_or_end_is_named(arguments, said):
+    with pytest.raises(ValueError, match=said):
+        Maneuver(**arguments)
+
+
+@pytest.mark.parametrize(
+    ("limits", "said"),
+    [
+        ({"travel_rate": -1.0}, "travel_rate = -1"),
+        ({"slew": math.inf}, "slew = inf"),
+        ({"elevation_min": 0.1, "elevation_max": 0.0}, "elevation_min = 0.1"),
+    ],
+    ids=str,
+)
+def test_limits_that_are_none_are_named(limits, said):
+    with pytest.raises(ValueError, match=said):
+        Limits(**limits)
+
+
+def test_an_end_below_the_floor_is_named():
+    with pytest.raises(ValueError, match=r"goal = .*: must keep floor"):
+        plan(Maneuver(floor=([0.0, 6.0, 6.2], [0.1, 0.1, -0.1])))
+
+
+def test_limits_survive_a_file(tmp_path):
+    trajectory = replace(plan(Maneuver(duration=12.0)), limits=Limits(travel_rate=2.0, slew=30.0))
+    trajectory.save(tmp_path / "plan.npz")
+    assert Trajectory.load(tmp_path / "plan.npz").limits == trajectory.limits
+
+
+# Ends in motion
+
+
+@pytest.mark.parametrize("elapsed", [0.5, 3.0, 6.0, 8.0])
+def test_from_a_state_in_flight_a_new_plan_arrives_at_the_same_time(elapsed):
+    before = plan(Maneuver(duration=11.0), "spline")
+    x = before(elapsed)[0] + np.array([0.02, 0.01, -0.01, 0.005, 0.01, -0.01])
+    again = plan(Maneuver(duration=11.0 - elapsed), near=before, start_state=x)
+    assert_allclose(again.x[:, 0], x, atol=1e-12)
+    assert_allclose(replay(again)[:, -1], [2.0 * math.pi, 0.0, 0.0, 0.0, 0.0, 0.0], atol=1e-3)
+
+
+def test_a_plan_may_end_in_motion():
+    goal = (2.0, 0.5, 0.05, 0.02, 0.1, 0.0)
+    assert_allclose(replay(plan(Maneuver(goal_state=goal, duration=6.0)))[:, -1], goal, atol=1e-3)
+
+
+@pytest.mark.parametrize("method", ["paper", "flat", "collocation"])
+def test_methods_from_rest_to_rest_refuse_other_ends(method):
+    with pytest.raises(ValueError, match="from rest to rest"):
+        plan(Maneuver(goal_state=(2.0, 0.5, 0.0, 0.0, 0.0, 0.0)), method)
+
+
+# Objectives
+
+
+def effort(trajectory):
+    f = thrust(trajectory.u)
+    return np.trapezoid(((f - 0.5 * 0.3946 / 0.6523) ** 2).sum(axis=0), trajectory.t)
+
+
+def roughness(trajectory):
+    return ((np.diff(thrust(trajectory.u)) / np.diff(trajectory.t)) ** 2).sum()
+
+
+def reserve(trajectory):
+    margins = (trajectory.u - 1.0) / 5.0, (11.0 - trajectory.u) / 5.0, 1.0 - np.abs(trajectory.x[4]) / math.radians(50)
+    return min(margin.min() for margin in margins)
+
+
+@pytest.mark.parametrize("duration", [10.0, 12.0])
+def test_each_objective_is_best_at_what_it_is_for(duration):
+    plans = {
+        objective: plan(Maneuver(duration=duration), "spline", objective=objective)
+        for objective in ("effort", "reserve")
+    }
+    plans |= {"smoothest": plan(Maneuver(duration=duration), "spline", objective="smoothest")}
+    assert min(plans, key=lambda name: effort(plans[name])) == "effort"
+    assert max(plans, key=lambda name: reserve(plans[name])) == "reserve"
+    assert min(plans, key=lambda name: roughness(plans[name])) == "smoothest"
+
+
+def test_least_effort_is_close_to_that_of_collocation():
+    requested = Maneuver(duration=12.0)
+    assert effort(plan(requested, objective="effort")) < 1.25 * effort(plan(requested, "collocation"))
+
+
+def test_an_objective_is_named_where_it_is_unknown_or_of_another_method():
+    with pytest.raises(ValueError, match=r"objective = 'fuel': must be one of shortest, effort, reserve, smoothest"):
+        plan(Maneuver(), objective="fuel")
+    with pytest.raises(ValueError, match="objective = 'effort': must go with"):
+        plan(Maneuver(), "flat", objective="effort")
