@@ -5,6 +5,8 @@ from typing import Any
 import gymnasium as gym
 import numpy as np
 
+from heli_gym.baselines.control.ilc import LearnedFeedforward
+from heli_gym.baselines.control.model_based import ModelPolicy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.rig import UNNAMED, Rig, check_same_rig
@@ -97,6 +99,22 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
         )
         for i, n in enumerate(flown)
     ]
+
+
+def fly_repeatedly(env: gym.Env, base: ModelPolicy, flights: int = 10, seed: int = 0) -> list[Trajectory]:
+    """Flights of one helicopter, from one start, with iterative learning control on top of a model-based policy.
+
+    Args:
+        env: as for `fly`.
+        base: such as `make_policy("kalman-lqr", reference)`.
+        flights: how many.
+        seed: of each episode: the same draw, start and noise every time.
+    """
+    policy, flown = LearnedFeedforward(base), []
+    for _ in range(flights):
+        flown.append(fly(env, policy, seed=seed))
+        policy.learn()
+    return flown
 
 
 def check_policy(policy: Policy, env: Heli3DOFEnv | Heli3DOFVectorEnv, reference: Trajectory) -> None:
