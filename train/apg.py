@@ -51,6 +51,22 @@ def network_of(actor: Actor) -> RecurrentNetwork:
     return RecurrentNetwork(*arrays[:4], Network((arrays[4],), (arrays[5],), tanh_output=True))
 
 
+def set_network(actor: Actor, network: Network | RecurrentNetwork) -> None:
+    """Copy a network into the actor. Raises ValueError if it has another shape."""
+    cell, head = actor.cell, actor.head
+    arrays: list[np.ndarray] = []
+    if isinstance(network, RecurrentNetwork):
+        arrays = [*network[:4], *network.head.weights, *network.head.biases]
+    if [array.shape for array in arrays] != [tuple(tensor.shape) for tensor in actor.parameters()]:
+        raise ValueError(
+            f"init: must be a network with {cell.input_size} features, a GRU cell of {cell.hidden_size} states and "
+            f"{head.out_features} outputs"
+        )
+    with torch.no_grad():
+        for tensor, array in zip(actor.parameters(), arrays):
+            tensor.copy_(torch.from_numpy(array))
+
+
 class FlightLoss(torch.autograd.Function):
     """The mean loss of a batch of flights, as a function of the actor's parameters."""
 

@@ -1,7 +1,8 @@
 """`heli-export-onnx --policy best.json --out best.onnx`: a learned network for other runtimes.
 
-Only the network, from features (N, F) to actions (N, 2) in single precision: what makes the features and what is done
-with the actions is `heli_gym.baselines.control.residual.ResidualPolicy`.
+The graph is the network alone, in single precision: from features (N, F) to actions (N, 2) and, of a recurrent network,
+from hidden (N, H) to next_hidden (N, H), zeros at the start of a flight. The features and the use of the actions are
+those of `heli_gym.baselines.control.residual.ResidualPolicy`.
 """
 
 from dataclasses import dataclass
@@ -11,7 +12,7 @@ import numpy as np
 import onnx
 from onnx import TensorProto, helper, numpy_helper
 
-from heli_gym.baselines.control.residual import LEARNED, Network, load_learned
+from heli_gym.baselines.control.residual import LEARNED, Network, RecurrentNetwork, load_learned
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.storage import atomic_write, check_folder
 
@@ -26,27 +27,51 @@ class Args:
     out: Path = Path("out/residual.onnx")
 
 
-def onnx_model(network: Network) -> onnx.ModelProto:
+def onnx_model(network: Network | RecurrentNetwork) -> onnx.ModelProto:
     """The network as an ONNX graph."""
-    nodes, tensors, value = [], [], "features"
-    last = len(network.weights) - 1
-    for layer, (weight, bias) in enumerate(zip(network.weights, network.biases)):
-        for name, array in (("weight", weight), ("bias", bias)):
-            tensors.append(numpy_helper.from_array(array.astype(np.float32), f"{layer}.{name}"))
-        squashed = layer < last or network.tanh_output
-        result = f"{layer}.sum" if squashed or layer < last else "actions"
-        nodes.append(helper.make_node("Gemm", [value, f"{layer}.weight", f"{layer}.bias"], [result], transB=1))
-        value = result
+    head, tensors, nodes = network, [], []
+    value, inputs, outputs = "features", {}, {}
+
+    def constant(name: str, array: np.ndarray) -> str:
+        tensors.append(numpy_helper.from_array(array.astype(np.float32), name))
+        return name
+
+    def node(operator: str, *arguments: str, to: str, **attributes: int) -> str:
+        nodes.append(helper.make_node(operator, arguments, [to], **attributes))
+        return to
+
+    if isinstance(network, RecurrentNetwork):
+        head, n = network.head, network.size
+        inputs["features"], inputs["hidden"] = network.weight_input.shape[1], n
+        for name, gate in (("reset", slice(n)), ("update", slice(n, 2 * n)), ("new", slice(2 * n, None))):
+            for source, weight, bias in (
+                ("features", network.weight_input, network.bias_input),
+                ("hidden", network.weight_hidden, network.bias_hidden),
+            ):
+                parts = constant(f"{name}.{source}.weight", weight[gate]), constant(f"{name}.{source}.bias", bias[gate])
+                node("Gemm", source, *parts, to=f"{name}.{source}", transB=1)
+        for name in ("reset", "update"):
+            node("Sigmoid", node("Add", f"{name}.features", f"{name}.hidden", to=f"{name}.sum"), to=name)
+        node("Add", "new.features", node("Mul", "reset", "new.hidden", to="new.old"), to="new.sum")
+        node("Tanh", "new.sum", to="new")
+        change = node("Mul", "update", node("Sub", "hidden", "new", to="difference"), to="change")
+        value = node("Add", "new", change, to="next_hidden")
+        outputs["next_hidden"] = n
+    else:
+        inputs["features"] = network.weights[0].shape[1]
+    last = len(head.weights) - 1
+    for layer, (weight, bias) in enumerate(zip(head.weights, head.biases)):
+        squashed = layer < last or head.tanh_output
+        result = "actions" if layer == last else f"{layer}.tanh"
+        parts = constant(f"{layer}.weight", weight), constant(f"{layer}.bias", bias)
+        value = node("Gemm", value, *parts, to=f"{layer}.sum" if squashed else result, transB=1)
         if squashed:
-            value = f"{layer}.tanh" if layer < last else "actions"
-            nodes.append(helper.make_node("Tanh", [result], [value]))
-    graph = helper.make_graph(
-        nodes,
-        "residual",
-        [helper.make_tensor_value_info("features", TensorProto.FLOAT, ["N", network.weights[0].shape[1]])],
-        [helper.make_tensor_value_info("actions", TensorProto.FLOAT, ["N", 2])],
-        tensors,
-    )
+            value = node("Tanh", value, to=result)
+    described = [
+        [helper.make_tensor_value_info(name, TensorProto.FLOAT, ["N", size]) for name, size in sizes.items()]
+        for sizes in (inputs, {"actions": 2, **outputs})
+    ]
+    graph = helper.make_graph(nodes, "residual", *described, tensors)
     model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", OPSET)], ir_version=IR_VERSION)
     onnx.checker.check_model(model)
     return model

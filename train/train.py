@@ -37,6 +37,7 @@ from heli_gym.baselines.control.residual import (
     Network,
     RecurrentNetwork,
     ResidualPolicy,
+    load_learned,
     save_learned,
 )
 from heli_gym.baselines.control.weights import weights_file
@@ -82,11 +83,12 @@ class Args:
     steps: int | None = None  # control periods flown in training, of all helicopters together
     envs: int | None = None  # helicopters at once
     chunk: int | None = None  # control periods of each helicopter between two validations
+    init: Path | None = None  # APG: learned policy, .json, whose network to begin with
     cell: int = 96  # APG: hidden states of its GRU cell
     hidden: tuple[int, ...] = (64, 64)  # the others: neurons of the layers
     learning_rate: float | None = None  # at first; it falls linearly to a twentieth
     max_grad_norm: float = 2.0  # APG: norm to which the gradient is clipped
-    cost_weight: float = 0.5  # APG: degrees of RMS error that a second of cost is worth
+    cost_weight: float = 0.35  # APG: degrees of RMS error that a second of cost is worth
     gamma: float = 0.99  # discount per control period
     gae_lambda: float = 0.97  # PPO: of the advantage estimate; travel shows the effect of a voltage a second later
     log_std: float = -2.7  # PPO: logarithm of the standard deviation of the exploration's weights, at first
@@ -111,7 +113,7 @@ OF_STABLE_BASELINES: dict[str, Any] = {
 DEFAULTS: dict[str, dict[str, Any]] = {
     "apg": {
         "feature_groups": apg.GROUPS,
-        "steps": 96_000_000,
+        "steps": 64_000_000,
         "envs": apg.LANES,
         "chunk": 15_000,
         "learning_rate": 4e-3,
@@ -205,6 +207,8 @@ def run_folder(args: Args) -> Path:
         *([] if args.privileged else ["privileged"]),
     ):
         method += f"-without-{name}"
+    if args.init:
+        method += "-initialised"
     rig = find_rig(args.rig)
     plant = args.plant if same_dynamics(rig, PAPER) else f"{args.plant}.{rig.name}"
     return args.out / plant / method / str(args.seed)
@@ -213,7 +217,7 @@ def run_folder(args: Args) -> Path:
 def settings_of(args: Args) -> dict[str, Any]:
     """What a run depends on, as JSON has it."""
     ours = {name: value for name, value in asdict(args).items() if name not in ("out", "resume", "progress")}
-    return json.loads(json.dumps(ours))
+    return json.loads(json.dumps(ours, default=str))
 
 
 def check_begun(args: Args, folder: Path) -> bool:
@@ -270,7 +274,7 @@ def make_helicopters(args: Args, reference: Any) -> Heli3DOFVectorEnv | Residual
 def make_agent(args: Args, helicopters: Any) -> APG | BaseAlgorithm:
     """The agent, whose first actions are small: its last layer is near zero."""
     if args.algo == "apg":
-        return APG(
+        agent = APG(
             make_residual_policy(args, helicopters.reference_of(0)),
             helicopters,
             args.learning_rate,
@@ -279,6 +283,9 @@ def make_agent(args: Args, helicopters: Any) -> APG | BaseAlgorithm:
             cost_weight=args.cost_weight,
             seed=args.seed,
         )
+        if args.init:
+            apg.set_network(agent.policy, load_learned(args.init)[1])
+        return agent
     common: dict[str, Any] = {
         "learning_rate": args.learning_rate,
         "gamma": args.gamma,
