@@ -18,13 +18,11 @@ from scipy.linalg import solve_discrete_are
 from heli_gym.baselines.control.discrete_lqr import sampled_problem
 from heli_gym.baselines.control.estimation import ENCODER_NOISE, LEAST_LIFT, START_DEVIATIONS, Actuator
 from heli_gym.baselines.control.residual import (
-    AHEAD,
-    BEFORE,
-    DISTURBANCE_SCALE,
+    CELL,
     FEATURE_CLIP,
-    INTEGRAL_SCALE,
     LEARNED,
     STATE_SCALE,
+    RecurrentNetwork,
     load_learned,
 )
 from heli_gym.baselines.control.weights import ObserverWeights, weights_of
@@ -177,13 +175,9 @@ def live_data(rig: Rig = PAPER) -> dict[str, Any]:
         "features": {
             "tolerance": TOLERANCE,
             "state_scale": STATE_SCALE.tolist(),
-            "integral_scale": INTEGRAL_SCALE,
-            "disturbance_scale": DISTURBANCE_SCALE,
-            "ahead": AHEAD,
-            "before": BEFORE,
             "largest": FEATURE_CLIP,
         },
-        "networks": {name: stored_network(name, elevation, parameters) for name in sorted(set(NETWORK_FOR.values()))},
+        "networks": {name: trained(name, elevation, parameters) for name in sorted(set(NETWORK_FOR.values()))},
         "network_for": NETWORK_FOR,
         "plants": {name: plain(plant) for name, plant in PLANTS.items() if not plant.is_general},
         "rig": solve_rigid_body("A")._asdict(),
@@ -209,21 +203,24 @@ def kalman_data(name: str, elevation: float, parameters: HelicopterParameters) -
     }
 
 
-def stored_network(name: str, elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
-    """A network that comes with the package: what it corrects, and its layers as base64 of float32, row by row."""
+def trained(name: str, elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
+    """Controllers for a plant: the Kalman LQR, and the learned correction with the regulator that it corrects.
+
+    The network's arrays are base64 of float32, row by row.
+    """
     settings, network = load_learned(LEARNED / name)
-
-    def packed(values: np.ndarray) -> str:
-        return base64.b64encode(values.astype("<f4").tobytes()).decode()
-
+    assert isinstance(network, RecurrentNetwork) and (settings.law, len(network.head.weights)) == ("saturated", 1)
+    assert settings.feature_groups == ("error", "voltages", "preview")
+    weights = weights_of(settings.base)
+    M = stationary_cost(elevation, parameters, weights.Q, weights.R)
+    arrays = {field: getattr(network, field) for field in CELL}
+    arrays |= {"weight": network.head.weights[0], "bias": network.head.biases[0]}
     return {
-        "base": kalman_data(settings.base, elevation, parameters),
-        "featureGroups": settings.feature_groups,
+        "kalman": kalman_data(f"kalman-lqr@{settings.plant}", elevation, parameters),
+        "weights": {"Q": weights.Q.tolist(), "R": weights.R.tolist(), "M": M.tolist()},
         "scale": settings.scale,
-        "tanhOutput": network.tanh_output,
-        "layers": [
-            {"weight": packed(weight), "bias": packed(bias)} for weight, bias in zip(network.weights, network.biases)
-        ],
+        "ahead": settings.ahead,
+        "arrays": {key: base64.b64encode(value.astype("<f4").tobytes()).decode() for key, value in arrays.items()},
     }
 
 

@@ -91,8 +91,31 @@ def test_the_policies_of_the_package_are_those_of_the_first_seed(plant):
         load_learned(path) for path in (LEARNED / plant, RESULTS / plant / "residual/0/best")
     )
     assert settings == other and settings.plant == plant
-    for a, b in zip((*shipped.weights, *shipped.biases), (*first.weights, *first.biases)):
+    for a, b in zip((*shipped[:4], *shipped.head.weights), (*first[:4], *first.head.weights)):
         assert_array_equal(a, b)
+
+
+def test_a_recurrent_policy_flies_many_as_it_flies_each_and_forgets_at_a_reset():
+    policy = make_policy("residual", REFERENCE)
+    together = fly_many(Heli3DOFVectorEnv(3, "lab", start_spread_deg=5.0), policy, seed=7)
+    env = Heli3DOFEnv("lab", start_spread_deg=5.0)
+    for k, flight in enumerate(together):
+        assert_allclose(fly(env, policy, seed=7 + k).x, flight.x, atol=1e-6)
+
+
+def test_a_correction_has_authority_where_the_base_saturates():
+    base, measurement = make_policy("feedforward+tvlqr", SHORT), START + np.array([0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+    assert base(0.0, measurement).max() > 12.0
+    least = np.clip(base(0.0, measurement), 0.0, 12.0) - 12.0
+
+    def voltages(law):
+        return ResidualPolicy(base, SHORT, lambda features: -np.ones(2), 12.0, law=law)(0.0, measurement)
+
+    assert_allclose(voltages("saturated"), least, atol=1e-12)  # at most zero: any voltage is within reach
+    assert_allclose(voltages("sum"), base(0.0, measurement) - 12.0, atol=1e-12)
+    assert voltages("sum").max() > 0.0
+    with pytest.raises(ValueError, match="law = 'none'"):
+        voltages("none")
 
 
 def test_a_network_sees_the_groups_that_it_is_shown_and_each_of_them_counts():

@@ -159,13 +159,27 @@ def test_a_flight_with_a_filter_whose_gains_the_browser_computes_is_that_of_pyth
 def test_the_network_of_a_plant_in_the_browser_is_that_of_python(live, plant):
     settings, network = load_learned(LEARNED / live["network_for"][plant])
     assert settings.plant == plant or plant == "nominal"
-    assert (settings.base, settings.control_period) == (f"kalman-lqr@{settings.plant}", PERIOD)
+    assert (settings.base, settings.control_period) == (f"feedforward+tvlqr@{settings.plant}", PERIOD)
     features = np.random.default_rng(0).normal(size=(20, settings.features))
-    stored = live["networks"][settings.plant]
     found = in_node(
-        "features.map((seen) => heli.actions(heli.unpacked(stored), seen))", stored=stored, features=features.tolist()
+        """
+        (() => {
+          const network = heli.unpacked(stored);
+          let hidden = network.arrays.weight_hidden[0].map(() => 0);
+          return features.map((seen) => {
+            const step = heli.actions(network, seen, hidden);
+            hidden = step.hidden;
+            return step.action;
+          });
+        })()
+        """,
+        stored=live["networks"][settings.plant],
+        features=features.tolist(),
     )
-    np.testing.assert_allclose(found, np.clip(network(features.T), -1.0, 1.0).T, rtol=0.0, atol=1e-12)
+    hidden = np.zeros(settings.recurrent)
+    for seen, action in zip(features, found):
+        expected, hidden = network(seen, hidden)
+        np.testing.assert_allclose(action, expected, rtol=0.0, atol=1e-12)
 
 
 @pytest.mark.parametrize("plant", ["nominal", "lab"])

@@ -14,7 +14,7 @@ from heli_gym.baselines import fly, make_policy
 from heli_gym.baselines.control.residual import load_learned, save_learned
 from heli_gym.baselines.evaluation.statistics import improvement, interquartile_mean
 from heli_gym.env import Heli3DOFEnv, find_reference
-from heli_gym.plant import Plant, Push
+from heli_gym.plant import Plant, Push, find_plant
 from heli_gym.train import results
 from heli_gym.train.oracle import EFFORT, NoOptimum, Oracle
 from heli_gym.train.results import Args, compare, table_of
@@ -46,7 +46,7 @@ def test_every_policy_flies_the_same_draws_and_the_table_says_what_they_did(tmp_
 
 
 def test_a_method_is_flown_once_for_each_of_its_seeds(tmp_path):
-    seeds = [RESULTS / f"lab/residual/{seed}/best" for seed in (0, 1)]
+    seeds = [RESULTS / f"lab/{stage}/0/best" for stage in ("first-stage", "residual")]
     for seed, path in enumerate(seeds):
         save_learned(tmp_path / f"mine/{seed}/best", *load_learned(path))
     args = Args(policies=("kalman-lqr",), against="kalman-lqr", methods=(tmp_path / "mine",), episodes=3, out=tmp_path)
@@ -110,8 +110,14 @@ def test_without_any_optimum_the_oracle_has_no_row(tmp_path, monkeypatch):
     assert set(compare(args, Console(quiet=True))) == {"feedforward+tvlqr"}
 
 
+def delayed(name):
+    """The plant of this name with a delay of one control period of 0.05 s."""
+    plant = find_plant(name)
+    return replace(plant, rotors=replace(plant.rotors, delay=0.05))
+
+
 def test_a_solver_that_gives_up_says_so():
-    env = Heli3DOFEnv("lab", "climb-7.5", 0.05)
+    env = Heli3DOFEnv(delayed("lab"), "climb-7.5", 0.05)
     oracle = Oracle(env.plant, env.reference, env.control_period, env.voltage_limits, env.pitch_limit)
     env.reset(seed=0)
     with pytest.raises(NoOptimum, match=r"no optimal voltages for .*: Invalid_Number_Detected"):
@@ -120,7 +126,7 @@ def test_a_solver_that_gives_up_says_so():
 
 @pytest.mark.parametrize("plant", ["lab", "rigid"])
 def test_the_oracle_flies_what_it_planned_and_no_policy_does_better(plant):
-    env = Heli3DOFEnv(plant, "climb-7.5", 0.05, start_spread_deg=5.0)
+    env = Heli3DOFEnv(delayed(plant), "climb-7.5", 0.05, start_spread_deg=5.0)
     reference = env.reference
     oracle = Oracle(env.plant, reference, env.control_period, env.voltage_limits, env.pitch_limit)
     _, info = env.reset(seed=5)

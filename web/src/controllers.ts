@@ -29,7 +29,7 @@ export interface ControlData {
   features: FeatureSettings;
 }
 
-/** A controller for one flight; the network is looked at for itself, and for what it corrects. */
+/** A controller for one flight, with what was trained and tuned for a plant. */
 export type Maker = (network: Network) => Controller;
 
 /** Every policy along a plan that is sampled at half the control period. Gains are computed when they are first flown. */
@@ -44,13 +44,17 @@ export function controllersAlong(plan: Plan, pitchLimits: Pair, data: ControlDat
     return known.get(base)!;
   };
   const tracking = (values: Tracking) => trackingController(values, parameters);
-  const filtering = ({ base }: Network) => new KalmanController(task, gainsOf(base), base);
+  const corrected = new Map<Network, Matrix[]>();
+  const trackingWith = (network: Network) => {
+    if (!corrected.has(network)) corrected.set(network, riccatiGains(plan, network.weights, parameters));
+    return tracking(feedforward(reference, corrected.get(network)!, parameters));
+  };
   return {
     "feedforward+tvlqr": () => tracking(feedforward(reference, tvlqr(), parameters)),
     "open-loop": () => tracking(feedforward(reference, null, parameters)),
     "hover-lqr": () => tracking(hoverTracking(reference, data.hover_gain, parameters)),
-    "kalman-lqr": filtering,
-    residual: (network) => new ResidualController(filtering(network), network, data.features),
+    "kalman-lqr": ({ kalman }) => new KalmanController(task, gainsOf(kalman), kalman),
+    residual: (network) => new ResidualController(trackingWith(network), task, network, data.features),
   };
 }
 

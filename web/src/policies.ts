@@ -136,11 +136,6 @@ export class KalmanController implements Controller {
     return u;
   }
 
-  /** Tells what voltages were asked for after all, in place of those that were given last; there has to be a delay. */
-  replaceLast(u: Pair): void {
-    this.pending = [...this.pending.slice(0, -1), this.limited(u)];
-  }
-
   private limited(u: Pair): Pair {
     return u.map((volts) => clip(volts, this.task.amplifier)) as Pair;
   }
