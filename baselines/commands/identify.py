@@ -69,7 +69,7 @@ def prediction_table(validations: Sequence[Validation], horizon: float) -> Table
     """RMS errors in degrees of each predictor, and relative to constant rate, over all logs."""
     table = Table("predictor", *ANGLES, title=f"RMS error in degrees after {horizon:g} s (share of constant rate)")
     plain = pooled(validations, horizon, "constant rate")
-    for name in ("constant rate", "constant acceleration", "black box", "model"):
+    for name in ("constant rate", "constant acceleration", "black box", "model", "model, shrunk"):
         values = pooled(validations, horizon, name)
         if values[0] is not None:
             cells = [f"{value:.2f} ({value / max(other, 1e-9):.2f})" for value, other in zip(values, plain)]  # type: ignore
@@ -79,10 +79,10 @@ def prediction_table(validations: Sequence[Validation], horizon: float) -> Table
 
 def log_table(validations: Sequence[Validation]) -> Table:
     """Errors at 1 s relative to constant rate, log by log: model and black box."""
-    table = Table("log", "windows", *ANGLES, title="model / black box at 1 s, share of constant rate")
+    table = Table("log", "windows", *ANGLES, title="model, shrunk / black box at 1 s, share of constant rate")
     for v in validations:
         if 1.0 in v.rms:
-            plain, model, box = (v.rms[1.0].get(name) for name in ("constant rate", "model", "black box"))
+            plain, model, box = (v.rms[1.0].get(name) for name in ("constant rate", "model, shrunk", "black box"))
             cells = [
                 f"{model[i] / plain[i]:.2f} / {'-' if box is None else f'{box[i] / plain[i]:.2f}'}"  # type: ignore
                 + ("" if np.degrees(v.moved[i]) > 2.0 else " (still)")
@@ -103,7 +103,7 @@ def ablation_table(logs: list[FlightLog], args: Args, progress: Any) -> tuple[Ta
     for title, effects in cases.items():
         progress(f"ablation: {title}")
         model = identify(logs, args.rig, args.fit_share, effects)
-        values = pooled(validate(logs, model, tune(logs, model), (1.0,)), 1.0, "model")
+        values = pooled(validate(logs, model, tune(logs, model), (1.0,), compare=False), 1.0, "model")
         found[title] = dict(zip(ANGLES, values))
         table.add_row(title, *(f"{value:.2f}" if value is not None else "-" for value in values))
     return table, found

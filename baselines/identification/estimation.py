@@ -32,11 +32,10 @@ LEAST_SPREAD = 3e-4  # rad/s², of the slow accelerations
 UNDETERMINED = 0.7  # share of the prior's spread above which the data say too little
 MAX_PARAMETER = 1e6
 
-# Spread of the prior about the start. From the identified rigs, doubled; those of frictions, lag and delay from the
-# published ranges.
+# Spread of the prior about the start: that between identified rigs, and more.
 SPREAD = MeasuredParameters(
-    a1=0.5, a2=0.5, a3=0.5, b1=0.4, b2=0.4, b3=3.0, c1=0.1, c2=0.2, c3=0.2, exponent=0.3, reverse=0.3, mismatch=0.1,
-    lag=0.04, delay=0.02, pitch_zero=0.15, pitch_trim=0.5, voltage_limit=20.0, centrifugal=0.15, centre=0.1,
+    a1=0.3, a2=0.5, a3=0.5, b1=0.4, b2=0.4, b3=3.0, c1=0.1, c2=0.2, c3=0.2, exponent=0.2, reverse=0.3, mismatch=0.1,
+    lag=0.025, delay=0.02, pitch_zero=0.15, pitch_trim=0.5, voltage_limit=20.0, centrifugal=0.15, centre=0.1,
     pitch_spin=0.3, gyro=0.8, pitch_speed=0.1,
 )  # fmt: skip
 LOW = MeasuredParameters(

@@ -42,7 +42,9 @@ class Settings(NamedTuple):
 
 BOUNDS = Settings(rates=(-7.0, 1.0), fading=(-7.0, 1.0), times=(-1.0, 1.5), lasting=(-7.0, 0.0))  # type: ignore
 STEPS = (1.0, 0.5)  # of the search for settings
-GAIN = 0.01  # of the logarithm of the error, for which a setting is moved
+GAIN, LEAST_GAIN = 0.5, 0.01  # of the logarithm of the error, for which a setting is moved: s, over the seconds fitted
+SHRINKAGES = np.radians([0.0, 0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0])  # to choose from
+FLOOR = np.radians(0.1)  # rad, of errors whose logarithm is taken
 
 
 class FilteredLog:
@@ -184,6 +186,30 @@ def black_box(log: FlightLog, fit_share: float, horizon: float, starts: np.ndarr
     return constant_rate(log, starts, horizon) + Ridge(both[0], target, round(horizon / between))(both[1])
 
 
+def shrink(plain: np.ndarray, predicted: np.ndarray, size: Any) -> np.ndarray:
+    """The prediction, drawn towards the plain one the more, the less the two differ; half way at `size` in rad.
+
+    Where little happens, the model's error is larger than that of no model.
+    """
+    difference = predicted - plain
+    return plain + difference**3 / (difference**2 + size**2 + 1e-18)
+
+
+def shrinkage(logs: Sequence[FlightLog], model: Identification, settings: Settings, horizon: float) -> np.ndarray:
+    """Sizes (3,) in rad for `shrink` towards constant rate that are best on the fitted shares, axis by axis."""
+    parts = []
+    for log in logs:
+        k, n = horizon_starts(log, (0.0, model.fit_share), horizon), round(horizon / log.sample_time)
+        if len(k):
+            predicted = FilteredLog(log, model, settings).predict(k, n)[:, :, n].T
+            parts.append((constant_rate(log, k, horizon), predicted, log.angles[:, k + n]))
+    if not parts:
+        return np.zeros(3)
+    plain, predicted, measured = (np.concatenate(values, axis=1) for values in zip(*parts))
+    losses = [np.log(np.abs(measured - shrink(plain, predicted, size)) + FLOOR).mean(axis=1) for size in SHRINKAGES]
+    return SHRINKAGES[np.argmin(losses, axis=0)]
+
+
 def tune(logs: Sequence[FlightLog], model: Identification, start: Settings = Settings()) -> Settings:
     """Settings of the filter that predict best at 1 s over the fitted shares, by a search that starts at the defaults.
 
@@ -200,6 +226,8 @@ def tune(logs: Sequence[FlightLog], model: Identification, start: Settings = Set
                 rows.append(np.log(rms(error) + 1e-4))
         return np.mean(rows, axis=0) if rows else np.zeros(3)
 
+    fitted = sum(len(horizon_starts(log, (0.0, model.fit_share), 1.0)) for log in logs) * BETWEEN_STARTS
+    gain = max(LEAST_GAIN, GAIN / max(fitted, 1.0))
     settings, best = start, criterion(start)
     for step in STEPS:
         for name in Settings._fields:
@@ -210,7 +238,7 @@ def tune(logs: Sequence[FlightLog], model: Identification, start: Settings = Set
                         getattr(settings, name) + sign * step * (0.5 if name == "times" else 1.0), low, high
                     )
                     found = criterion(settings._replace(**{name: values}))
-                    better = found < best - GAIN
+                    better = found < best - gain
                     if not better.any():
                         break
                     settings = settings._replace(**{name: np.where(better, values, getattr(settings, name))})
@@ -245,10 +273,15 @@ class Validation:
 
 
 def validate(
-    logs: Sequence[FlightLog], model: Identification, settings: Settings, horizons: Sequence[float] = HORIZONS
+    logs: Sequence[FlightLog],
+    model: Identification,
+    settings: Settings,
+    horizons: Sequence[float] = HORIZONS,
+    compare: bool = True,
 ) -> list[Validation]:
-    """Errors of the model and of the plain predictors, log by log, after the fitted share."""
+    """Errors of the model and, to compare, of the plain predictors, log by log, after the fitted share."""
     result = []
+    sizes = {horizon: shrinkage(logs, model, settings, horizon)[:, None] for horizon in horizons}
     for log in logs:
         filtered = FilteredLog(log, model, settings)
         share = (model.fit_share, 1.0)
@@ -261,11 +294,13 @@ def validate(
             counts[horizon] = len(k)
             if not len(k):
                 continue
+            plain, predicted = constant_rate(log, k, horizon), filtered.predict(k, n)[:, :, n].T
             predictors = {
-                "constant rate": constant_rate(log, k, horizon),
-                "constant acceleration": constant_acceleration(log, k, horizon),
-                "black box": black_box(log, model.fit_share, horizon, k),
-                "model": filtered.predict(k, n)[:, :, n].T,
+                "constant rate": plain,
+                "constant acceleration": constant_acceleration(log, k, horizon) if compare else None,
+                "black box": black_box(log, model.fit_share, horizon, k) if compare else None,
+                "model": predicted,
+                "model, shrunk": shrink(plain, predicted, sizes[horizon]),
             }
             tables[horizon] = {
                 name: rms(errors_at(log, k, n, angles)) for name, angles in predictors.items() if angles is not None
@@ -290,7 +325,8 @@ def report(
 ) -> dict[str, Any]:
     """What `heli-identify --json` writes: RMS errors in degrees over all logs' windows that were not fitted.
 
-    Windows of all logs count alike. `prediction` is the model's; the other predictors, and each log by itself, follow.
+    Windows of all logs count alike. `rms_deg` is that of the model, shrunk towards constant rate where it predicts
+    little motion; `model_rms_deg` that of the model alone.
     """
     prediction: dict[str, Any] = {}
     for axis, name in enumerate(ANGLES):
@@ -298,10 +334,11 @@ def report(
         for horizon in HORIZONS:
             table = {
                 predictor: pooled(validations, horizon, predictor)[axis]
-                for predictor in ("model", "constant rate", "constant acceleration", "black box")
+                for predictor in ("model", "constant rate", "constant acceleration", "black box", "model, shrunk")
             }
             prediction[name][f"{horizon:.1f}"] = {
-                "rms_deg": table["model"],
+                "rms_deg": table["model, shrunk"],
+                "model_rms_deg": table["model"],
                 "constant_rate_rms_deg": table["constant rate"],
                 "constant_acceleration_rms_deg": table["constant acceleration"],
                 "black_box_rms_deg": table["black box"],
@@ -354,8 +391,10 @@ def verdicts(validations: Sequence[Validation]) -> list[str]:
         if not moving:
             lines.append(f"{name}: moves by less than 2° in the judged part; nothing can be said")
             continue
-        ratios = [v.rms[1.0]["model"][axis] / v.rms[1.0]["constant rate"][axis] for v in moving]
-        boxes = [v.rms[1.0]["model"][axis] / v.rms[1.0].get("black box", np.full(3, np.inf))[axis] for v in moving]
+        ratios = [v.rms[1.0]["model, shrunk"][axis] / v.rms[1.0]["constant rate"][axis] for v in moving]
+        boxes = [
+            v.rms[1.0]["model, shrunk"][axis] / v.rms[1.0].get("black box", np.full(3, np.inf))[axis] for v in moving
+        ]
         ratio, box = float(np.median(ratios)), float(np.median(boxes))
         settled = float(np.median([v.settled[axis] for v in moving]))
         word = (
