@@ -232,8 +232,11 @@ def report_flights(args: Args, flights: Sequence[Flight]) -> list[Shown]:
     seeds = hardest_first(perturbed)
     names = dict.fromkeys(seeds[:: max(len(seeds) // 2, 1)][:2], "")
     order = [*names, *(seed for seed in sorted(seeds) if seed not in names)]
-    plant = find_condition(args.plant)
-    envs = Heli3DOFVectorEnv(len(seeds), plant, args.reference, control_period=args.control_period)
+    reference = reference_for(args.reference, args.rig, args.force)
+    envs = Heli3DOFVectorEnv(
+        len(seeds), find_condition(args.plant), reference, control_period=args.control_period, rig=args.rig
+    )
+    plant = envs.plants[0]
     envs.reset(seed=args.seed)
     shown = []
     for seed in order[: max(2, FLIGHTS_ON_A_PAGE // len(args.policies))]:
