@@ -13,6 +13,7 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 from heli_gym.baselines.paper.boundary_value import sample_times
+from heli_gym.baselines.planning.path import PathLimits, excesses, path_limits
 from heli_gym.model import dynamics, hover_input, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -21,6 +22,8 @@ INTERVALS = 100
 SHORTEST, LONGEST = 0.05, 600.0  # s, of any transition, and of any computation
 STEPS = 3000  # of the interior-point method, at most
 TIGHTENINGS = 5  # of the pitch limits
+WAY_RESERVE = 1e-4  # rad and rad/s, from constraints on the way, which hold at the nodes
+FAR = 1e4  # rad: beyond its ends, a floor is level
 RESERVE = 3e-5  # rad, from the pitch limits, so that the replayed plan keeps them although it was only interpolated
 
 
@@ -47,6 +50,7 @@ def collocate(
     intervals: int = INTERVALS,
     guess: Collocation | None = None,
     time_limit: float = LONGEST,
+    tighter: dict[str, float] | None = None,
 ) -> Collocation | None:
     """The transition of least time, at most the maneuver's duration, or of least effort in exactly that.
 
@@ -58,6 +62,7 @@ def collocate(
         intervals: of the collocation.
         guess: where to start; a straight line between the ends at the thrust of hover by default.
         time_limit: in s, for the solver.
+        tighter: amounts by which constraints on the way are tightened, by their names.
 
     Returns:
         A local optimum; None if the solver finds none.
@@ -90,6 +95,7 @@ def collocate(
     problem.subject_to(problem.bounded(low, ca.vec(F), high))
     problem.subject_to(problem.bounded(limits.pitch_min, X[4, :].T, limits.pitch_max))
     problem.subject_to(problem.bounded(limits.pitch_min, middle[4, :].T, limits.pitch_max))
+    constrain_way(problem, maneuver, X, F, h, tighter or {})
     if objective == "time":
         problem.minimize(T)
         problem.subject_to(problem.bounded(SHORTEST, T, maneuver.duration))
@@ -114,6 +120,31 @@ def collocate(
     return Collocation(share * float(solution.value(T)), solution.value(X), solution.value(F))
 
 
+def constrain_way(problem: Any, maneuver: Maneuver, X: Any, F: Any, h: Any, tighter: dict[str, float]) -> None:
+    """Subject the problem to the maneuver's constraints on its way, at the nodes; h is the interval in s."""
+    ca, path, rig = import_casadi(), path_limits(maneuver), maneuver.rig
+    reserve = {name: WAY_RESERVE + tighter.get(name, 0.0) for name in PathLimits._fields}
+    if path.elevation_min is not None:
+        problem.subject_to(path.elevation_min + reserve["elevation_min"] <= X[2, :].T)
+    if path.elevation_max is not None:
+        problem.subject_to(path.elevation_max - reserve["elevation_max"] >= X[2, :].T)
+    for row, name, rate in ((1, "travel_rate", path.travel_rate), (3, "elevation_rate", path.elevation_rate)):
+        if rate is not None:
+            problem.subject_to(problem.bounded(reserve[name] - rate, X[row, :].T, rate - reserve[name]))
+    if path.floor is not None:
+        floor = ca.interpolant("floor", "linear", [padded(path.floor[0])], np.pad(path.floor[1], 1, mode="edge"))
+        problem.subject_to(X[2, :] <= floor.map(X.shape[1])(X[0, :]) - reserve["floor"])
+    if path.slew is not None:
+        slope = float(np.min(rig.thrust_slope(rig.hover_voltage(maneuver.goal[1]))))
+        most = max(path.slew - tighter.get("slew", 0.0), 0.1 * path.slew) * slope  # in N/s, at hover
+        problem.subject_to(problem.bounded(-most, ca.vec(F[:, 1:] - F[:, :-1]) / h, most))
+
+
+def padded(travel: np.ndarray) -> np.ndarray:
+    """The same with a point far outside at each end."""
+    return np.concatenate((travel[:1] - FAR, travel, travel[-1:] + FAR))
+
+
 def collocated_trajectory(
     maneuver: Maneuver, objective: str = "effort", time_limit: float | None = None
 ) -> Trajectory | None:
@@ -122,16 +153,20 @@ def collocated_trajectory(
     Where the pitch swings out between two nodes, its limits are tightened by as much, and once more.
     """
     deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
-    tight, found = maneuver, None
+    tight, found, tighter = maneuver, None, dict[str, float]()
     for _ in range(TIGHTENINGS):
-        found = collocate(tight, objective, INTERVALS, found, min(deadline - time.perf_counter(), LONGEST))
+        left = min(deadline - time.perf_counter(), LONGEST)
+        found = collocate(tight, objective, INTERVALS, found, left, tighter)
         if found is None:
             return None
         trajectory = sampled(replace(maneuver, duration=float(found.t[-1])), found)
         pitch, (low, high) = trajectory.x[4], maneuver.limits.pitch
         excess = max(low - pitch.min(), pitch.max() - high) + RESERVE
-        if excess <= 0.0:
+        over = {n: e for n, e in excesses(maneuver, trajectory.t, trajectory.x, trajectory.u).items() if e > 0.0}
+        if excess <= 0.0 and not over:
             return trajectory
+        tighter |= {name: tighter.get(name, 0.0) + 1.5 * amount for name, amount in over.items()}
+        excess = max(excess, 0.0)
         pitch_min, pitch_max = tight.limits.pitch
         excess *= 1.5
         if not pitch_min + excess < 0.0 < pitch_max - excess:

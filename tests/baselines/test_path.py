@@ -38,6 +38,21 @@ def test_a_plan_keeps_its_constraints_when_flown_through_equation_3(name):
         assert excess < (1e-4 if constraint == "slew" else 2e-5), constraint
 
 
+@pytest.mark.parametrize("name", ["a bump", "a travel rate", "all of them"])
+def test_collocation_keeps_them_too(name):
+    requested = CONSTRAINED[name]
+    trajectory = plan(requested, "collocation")
+    flown = replay(trajectory)
+    assert_allclose(flown[:, -1], requested.ends[1], atol=1e-3)
+    assert max(excesses(requested, trajectory.t, flown, trajectory.u).values()) < 1e-4
+
+
+@pytest.mark.parametrize("name", ["a bump", "an elevation window", "an elevation rate"])
+def test_with_constraints_the_fastest_spline_is_close_to_collocation(name):
+    requested = replace(CONSTRAINED[name], duration=30.0)
+    assert plan_fastest(requested).duration < 1.03 * plan_fastest(requested, "collocation").duration
+
+
 @pytest.mark.parametrize("name", ["a bump", "an elevation window", "an elevation rate"])
 def test_the_fastest_plan_keeps_them_and_takes_longer_for_it(name):
     requested = replace(CONSTRAINED[name], duration=30.0)
