@@ -1,6 +1,6 @@
-"""How fast the environment is, beside others: one table of steps per second and of ratios.
+"""Speed of the environment and of others: tables of steps per second and of ratios.
 
-    python benchmarks/environment.py [--quick] [--table out/environment.md]
+    python benchmarks/environment.py [--quick] [--threads 2] [--table out/environment.md]
 
 Gymnasium's environments are always there; EnvPool (with six) and gymnax are measured where they can be imported, and so
 is PPO, with the extra `train`. All rates are medians of runs that take turns, so that a machine that slows down slows
@@ -28,11 +28,11 @@ from heli_gym.task import OBSERVED
 HELI = "Heli3DOF-v0"
 SIZES = (1, 64, 1024, 16384)
 ACTIONS = 8  # drawn ahead
-Runner = Callable[[], int]  # flies for a while, and tells how many steps that were
+Runner = Callable[[], int]  # steps for a while and returns the number of steps
 
 
 def one(env: gym.Env, steps: int = 500) -> Runner:
-    """Random actions in one environment, episodes following each other."""
+    """Step one environment under random actions, episode after episode."""
     env.action_space.seed(0)
     actions = [near_hover(env.action_space.sample()) for _ in range(512)]
     env.reset(seed=0)
@@ -48,7 +48,7 @@ def one(env: gym.Env, steps: int = 500) -> Runner:
 
 
 def many(envs: gym.vector.VectorEnv, n: int, lockstep: bool = True) -> Runner:
-    """The same in a vector environment, which resets by itself.
+    """Step a vector environment, which resets by itself.
 
     Helicopters either all start at once, or spread over the maneuver, as in training: some flights end in every step.
     """
@@ -59,7 +59,7 @@ def many(envs: gym.vector.VectorEnv, n: int, lockstep: bool = True) -> Runner:
 
 
 def stepping(envs: Any, actions: list, n: int) -> Runner:
-    """Steps n environments at once, through the actions in turn."""
+    """Step n environments at once, through the actions in turn."""
     rounds = max(2, 20000 // n)
 
     def run() -> int:
@@ -71,13 +71,13 @@ def stepping(envs: Any, actions: list, n: int) -> Runner:
 
 
 def near_hover(action):
-    """Actions that keep a helicopter in the air for a while; those of other environments as they are."""
+    """Scale actions of a helicopter so that it stays in the air for a while; leave others as they are."""
     is_heli = isinstance(action, np.ndarray) and action.dtype == np.float32 and action.shape[-1] == 2
     return (0.02 * action).astype(np.float32) if is_heli else action
 
 
 def envpool_runner(name: str, n: int) -> Runner:
-    """EnvPool with one thread. Raises ImportError where it is not installed."""
+    """Runner of EnvPool with one thread. Raises ImportError where it is not installed."""
     import envpool
 
     envs = envpool.make(name, env_type="gymnasium", num_envs=n, batch_size=n, num_threads=1, seed=0)
@@ -93,7 +93,7 @@ def envpool_runner(name: str, n: int) -> Runner:
 
 
 def gymnax_runner(name: str, n: int) -> Runner:
-    """gymnax, compiled for the CPU. Raises ImportError where it is not installed."""
+    """Runner of gymnax, compiled for the CPU. Raises ImportError where it is not installed."""
     import gymnax
     import jax
 
@@ -116,7 +116,7 @@ def gymnax_runner(name: str, n: int) -> Runner:
 
 
 def rates(runners: dict[str, Runner], seconds: float, turns: int = 7) -> dict[str, float]:
-    """Steps per second of each, the median over turns that they take one after the other."""
+    """Steps per second of each runner: the median over turns, which they take one after the other."""
     measured: dict[str, list[float]] = {name: [] for name in runners}
     for run in runners.values():
         run()  # compiles
@@ -130,7 +130,7 @@ def rates(runners: dict[str, Runner], seconds: float, turns: int = 7) -> dict[st
 
 
 def peers_of_many(n: int) -> dict[str, Runner]:
-    """Those of EnvPool and gymnax, as far as they are installed."""
+    """Runners of EnvPool and gymnax, as far as they are installed."""
     found = {}
     for name, make in (("EnvPool, 1 thread", envpool_runner), ("gymnax", gymnax_runner)):
         for task in ("Pendulum-v1", "Acrobot-v1"):
@@ -142,25 +142,31 @@ def peers_of_many(n: int) -> dict[str, Runner]:
 
 
 def table_of_one(seconds: float) -> list[str]:
-    """`env.step` with the default wrappers."""
+    """Table of `env.step` with the default wrappers."""
     peers = {name: one(gym.make(name)) for name in ("Pendulum-v1", "Acrobot-v1", "CartPole-v1")}
-    ours = {f"{HELI} {plant}": one(gym.make(HELI, plant=plant)) for plant in ("nominal", "lab", "rigid")}
+    ours = {f"{HELI} {plant}": one(gym.make(HELI, plant=plant)) for plant in ("nominal", "lab", "rigid", "fleet")}
     found = rates(peers | ours, seconds)
     lines = ["| one environment | steps/s | of Pendulum-v1 |", "|---|---|---|"]
     return lines + [f"| {name} | {rate:,.0f} | {rate / found['Pendulum-v1']:.2f} |" for name, rate in found.items()]
 
 
-def table_of_many(n: int, seconds: float) -> list[str]:
-    """One step of many environments."""
+def table_of_many(n: int, seconds: float, threads: int) -> list[str]:
+    """Table of steps of n environments at once, ours with a number of threads."""
     cartpole = "CartPole-v1, Gymnasium's own"
     runners = {cartpole: many(gym.make_vec("CartPole-v1", n, "vector_entry_point"), n)}
     if n <= 64:
         runners["Pendulum-v1, SyncVectorEnv"] = many(gym.make_vec("Pendulum-v1", n, "sync"), n)
     runners |= peers_of_many(n)
-    for plant, dtype in (("nominal", "float64"), ("nominal", "float32"), ("lab", "float64"), ("rigid", "float64")):
+    for plant, dtype in (
+        ("nominal", "float64"),
+        ("nominal", "float32"),
+        ("lab", "float64"),
+        ("rigid", "float64"),
+        ("fleet", "float64"),
+    ):
         for lockstep in (True, False):
             name = f"{HELI} {plant}, {dtype}" + ("" if lockstep else ", spread over the maneuver")
-            runners[name] = many(gym.make_vec(HELI, n, plant=plant, dtype=dtype), n, lockstep)
+            runners[name] = many(gym.make_vec(HELI, n, plant=plant, dtype=dtype, threads=threads), n, lockstep)
     found = rates(runners, seconds)
     acrobot = found.get("Acrobot-v1, EnvPool, 1 thread", math.nan)
     lines = [
@@ -174,7 +180,7 @@ def table_of_many(n: int, seconds: float) -> list[str]:
 
 
 def floor_of_many(n: int) -> str:
-    """What it takes a core to write nothing but the observations, into memory that is not in its cache any more."""
+    """Time in which a core writes as much as the observations, into memory that its cache does not hold."""
     buffers, row = [np.empty((n, OBSERVED), np.float32) for _ in range(4)], np.ones(OBSERVED, np.float32)
     begin, rounds = time.perf_counter(), max(4, 400_000 // n)
     for k in range(rounds):
@@ -185,7 +191,7 @@ def floor_of_many(n: int) -> str:
 
 
 def share_of_ppo(n: int = 256, rollout: int = 32) -> str:
-    """How much of Stable-Baselines3's PPO is spent in the environment."""
+    """Share of the environment in the time of Stable-Baselines3's PPO."""
     import torch
     from stable_baselines3 import PPO
 
@@ -214,17 +220,18 @@ def share_of_ppo(n: int = 256, rollout: int = 32) -> str:
 
 
 def main() -> None:
-    """Measures, prints, and writes the table."""
+    """Measure, print, and write the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="a tenth of the time")
     parser.add_argument("--sizes", type=int, nargs="*", default=SIZES, help="how many environments")
+    parser.add_argument("--threads", type=int, default=1, help="of our vector environment")
     parser.add_argument("--table", type=Path, help="a Markdown file to write")
     args = parser.parse_args()
     seconds = 0.05 if args.quick else 0.5
     lines = [f"Load of the machine: {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores; Gymnasium {gym.__version__}"]
     lines += ["", *table_of_one(seconds)]
     for n in args.sizes:
-        lines += ["", *table_of_many(n, seconds)]
+        lines += ["", *table_of_many(n, seconds, args.threads)]
         lines += ["", floor_of_many(n)]
     if importlib.util.find_spec("stable_baselines3"):
         lines += ["", share_of_ppo()]

@@ -5,7 +5,7 @@ from typing import Any
 
 from heli_gym.flatness import replanned
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import DRAG_RATIO, NOMINAL_RIGS, PLANTS, Friction, OneOf, Plant, Uniform, find_plant
+from heli_gym.plant import DRAG_RATIO, NOMINAL_RIGS, PLANTS, Friction, OneOf, Plant, Uniform, find_plant, rotor_curves
 from heli_gym.rig import PAPER, Rig, check_same_rig, find_rig, same_dynamics
 from heli_gym.rigid_body import VARIANTS, solve_rigid_body
 from heli_gym.thrust_map import PowerCurve, ThrustMap
@@ -60,7 +60,7 @@ def rig_to_fly(rig: Any, plant: Plant, reference: Any) -> Rig:
 def plant_thrust_map(plant: Plant) -> ThrustMap:
     """The thrust map that the plant flies: its own, or (2) with its coefficients."""
     curve = PowerCurve(plant.parameters.k_plus, plant.parameters.k_minus)
-    return plant.thrust_map or ThrustMap(curve, curve)
+    return ThrustMap(*(own or curve for own in rotor_curves(plant.thrust_map)))
 
 
 def reference_on_rig(reference: Any, rig: Rig, is_packaged: bool) -> Any:

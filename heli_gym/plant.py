@@ -424,7 +424,7 @@ class Plant:
     @cached_property
     def is_plain(self) -> bool:
         """Whether it is no more than equation (3), which takes one Runge-Kutta step per control period."""
-        same = replace(self, parameters=HelicopterParameters(), sensors=None, rotors=replace(self.rotors, **IMMEDIATE))
+        same = replace(self, parameters=HelicopterParameters(), sensors=None, rotors=Rotors(lag=self.rotors.lag))
         return same == Plant() and self.stiffness <= PLAIN_FRICTION
 
     @cached_property
@@ -437,9 +437,6 @@ class Plant:
 def rotor_curves(thrust_map: ThrustMap | ThrustCurve | None) -> tuple:
     """Thrust curves of the front and the back rotor; None where (2) is the curve."""
     return (thrust_map.front, thrust_map.back) if isinstance(thrust_map, ThrustMap) else (thrust_map, thrust_map)
-
-
-IMMEDIATE = {"thrust_loss": 0.0, "slew": math.inf, "delay": 0.0, "gains": (1.0, 1.0)}  # effects that keep (3) as it is
 
 
 def friction(rate: Any, viscous: Any, coulomb: Any) -> Any:

@@ -49,8 +49,9 @@ class Heli3DOFVectorEnv(VectorEnv):
         reference: one for all, or a sequence of one each. Where a sampler draws them, each helicopter has its own.
         autoreset_mode: "NextStep", "SameStep" or "Disabled", or gymnasium's `AutoresetMode`.
         max_episode_steps: at which flights are truncated, where that is before the end of their maneuver.
-        dtype: of the simulation, "float64" or "float32"; the latter is faster for many helicopters, and accurate to
-            about 1e-5 over a flight.
+        dtype: of the simulation, "float64" or "float32", which is faster for many helicopters. Over an open-loop flight
+            its angles are off by 3e-5 rad; with feedback from encoders, which count differently then, by 0.01 rad in
+            the median and 0.07 rad at worst. Means over 100 flights agree to 0.01 degrees.
         threads: that share a step where that is faster, which it is from some thousand helicopters on, on idle cores.
             Flights are the same bit for bit for any number of threads.
 

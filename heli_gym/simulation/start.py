@@ -161,5 +161,7 @@ def hover_scale(block: Any, i: int) -> Any:
     if u == 0.0:
         return 1.0
     p = HelicopterParameters(*eleven(block, PARAMETERS, i))
-    front, back = power_thrust(u, *four(block, FRONT, i), power), power_thrust(u, *four(block, BACK, i), power)
-    return -p.a2 / (p.b2 * (front + back))
+    k_plus, k_minus, exponent, dead_zone = four(block, FRONT, i)
+    front = power_thrust(u, k_plus, k_minus, exponent, dead_zone, power)
+    k_plus, k_minus, exponent, dead_zone = four(block, BACK, i)
+    return -p.a2 / (p.b2 * (front + power_thrust(u, k_plus, k_minus, exponent, dead_zone, power)))
