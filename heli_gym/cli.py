@@ -32,6 +32,7 @@ COMMANDS = {
     "heli-plan": "heli_gym.baselines.commands.plan_maneuver",
     "heli-play": "heli_gym.play",
     "heli-results": "heli_gym.train.results",
+    "heli-sweep": "heli_gym.train.sweep",
     "heli-train": "heli_gym.train.train",
     "heli-tune": "heli_gym.baselines.commands.tune",
 }

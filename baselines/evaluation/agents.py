@@ -20,7 +20,6 @@ from typing import Any
 import numpy as np
 
 from heli_gym.baselines.control.policies import make_policy
-from heli_gym.baselines.control.protocol import Policy
 from heli_gym.trajectory import Trajectory
 
 MAX_BYTES = 2**30  # of one tensor file
@@ -74,8 +73,8 @@ def make_pilot(
     reference: Trajectory,
     control_period: float = 0.02,
     voltage_limits: tuple[float, float] | None = None,
-) -> Policy | Agent:
-    """What `fly` flies, out of whatever names or is a policy.
+) -> Any:
+    """What `fly` flies, a policy or an `Agent`, out of whatever names or is a policy.
 
     Args:
         policy: a name of `POLICIES`; the path of a learned policy (.json), of a Stable-Baselines3 model (.zip) or of an
@@ -106,7 +105,7 @@ def make_pilot(
     return make_policy(name, reference, control_period, voltage_limits=voltage_limits)
 
 
-def as_pilot(policy: Any) -> Policy | Agent:
+def as_pilot(policy: Any) -> Any:
     """An object as a policy or an agent. Raises ValueError if it is none."""
     if isinstance(policy, Agent) or (callable(policy) and hasattr(policy, "reset") and hasattr(policy, "act")):
         return policy
@@ -274,6 +273,7 @@ def follow(program: bytes, tensor: Callable[..., np.ndarray]) -> dict[str, np.nd
             return tensor(*arguments[:4])
         raise ValueError(f"it calls {function}")
 
+    argument: Any
     for opcode, argument, _ in pickletools.genops(program):
         match opcode.name:
             case "PROTO" | "FRAME":

@@ -266,7 +266,8 @@ def save(figure: Figure, path: str | os.PathLike, columns: int = 0) -> None:
         print_width = COLUMN_WIDTHS[columns]
         figure.set_size_inches(print_width, print_width * height / width * max(1.0, TALLER[columns] * width))
         for legend in figure.legends:  # in as many rows as the width takes
-            handles, labels = legend.legend_handles, [text.get_text() for text in legend.get_texts()]
+            handles: Any = legend.legend_handles
+            labels = [text.get_text() for text in legend.get_texts()]
             legend.remove()
             ncols = max(1, min(len(labels), columns * LEGEND_LETTERS // max(map(len, labels))))
             figure.legend(handles, labels, loc="outside lower center", ncols=ncols)

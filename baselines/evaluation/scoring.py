@@ -8,8 +8,7 @@ from typing import Any, overload
 
 import numpy as np
 
-from heli_gym.baselines.control.protocol import Policy
-from heli_gym.baselines.evaluation.agents import Agent, FunctionPolicy, make_pilot
+from heli_gym.baselines.evaluation.agents import FunctionPolicy, make_pilot
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.evaluation.statistics import mean_with_interval, rank_crashes_last
@@ -134,7 +133,7 @@ def evaluate(
     return FlightTable(rows)
 
 
-def score_episodes(pilot: Policy | Agent, settings: dict[str, Any], seed: int, episodes: int) -> list[dict[str, Any]]:
+def score_episodes(pilot: Any, settings: dict[str, Any], seed: int, episodes: int) -> list[dict[str, Any]]:
     """Rows of the episodes from `seed` on, in environments with these settings."""
     single = Heli3DOFEnv(**settings)
     if flies_together(pilot, single.reference):
@@ -148,7 +147,7 @@ def score_episodes(pilot: Policy | Agent, settings: dict[str, Any], seed: int, e
     ]
 
 
-def flies_together(pilot: Policy | Agent, reference: Trajectory) -> bool:
+def flies_together(pilot: Any, reference: Trajectory) -> bool:
     """Whether a policy flies several helicopters at once: those of the package that can, and agents."""
     if hasattr(pilot, "act"):
         return True

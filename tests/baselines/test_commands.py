@@ -147,6 +147,12 @@ REFUSED = {
         (["--reference", "nowhere"], "nowhere"),
         (OUT_IS_A_FILE, "out"),
     ],
+    "heli-sweep": [
+        ([], "study|STUDY|Missing|required"),
+        (["none.toml"], "none.toml"),
+        (["FILE"], "must be TOML"),
+        (["FILE", "--engine", "cloud"], "engine"),
+    ],
     "heli-train": [
         (NAMES_NO_PLANT, "plant"),
         (["--steps", "0"], "steps"),
@@ -166,7 +172,13 @@ REFUSED = {
     ],
 }
 CASES = [(program, arguments, words) for program, cases in REFUSED.items() for arguments, words in cases]
-NEEDS = {"heli-results": "torch", "heli-train": "stable_baselines3", "heli-export-onnx": "onnx", "heli-play": "pygame"}
+NEEDS = {
+    "heli-results": "torch",
+    "heli-train": "stable_baselines3",
+    "heli-sweep": "stable_baselines3",
+    "heli-export-onnx": "onnx",
+    "heli-play": "pygame",
+}
 
 
 @pytest.fixture
