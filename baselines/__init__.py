@@ -8,6 +8,7 @@ from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.evaluation.scoring import evaluate
 from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.baselines.planning.feasibility import InfeasibleManeuver
+from heli_gym.baselines.planning.lead import lead_voltages
 from heli_gym.baselines.planning.planner import plan, plan_fastest, plan_unconstrained
 from heli_gym.baselines.planning.sampler import ManeuverSampler
 
@@ -23,6 +24,7 @@ __all__ = [
     "flight_metrics",
     "fly",
     "fly_many",
+    "lead_voltages",
     "make_policy",
     "plan",
     "plan_fastest",
