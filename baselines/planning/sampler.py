@@ -8,6 +8,7 @@ import numpy as np
 from heli_gym.baselines.planning import spline
 from heli_gym.baselines.planning.feasibility import validated
 from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.rig import Rig
 from heli_gym.trajectory import Maneuver, Trajectory
 
 DRAWS = 1000  # at most, until one can be planned
@@ -25,7 +26,8 @@ class ManeuverSampler:
         travel: range of the travel, in rad; it starts at zero.
         elevation: range of the elevations at the start and at the goal, in rad.
         limits: what a plan may use; the defaults leave the feedback a reserve to (9).
-        parameters: the helicopter that flies.
+        parameters: the helicopter that flies, where no rig is given.
+        rig: the rig that flies; limits must be within its own.
 
     Raises:
         ValueError: if a range is not finite or upside down, or hover anywhere in it takes more than the limits.
@@ -36,6 +38,7 @@ class ManeuverSampler:
     elevation: tuple[float, float] = (-math.radians(8.0), math.radians(8.0))
     limits: Limits = field(default_factory=lambda: Limits(2.0, 10.5, -math.radians(40.0), math.radians(40.0)))
     parameters: HelicopterParameters = field(default_factory=HelicopterParameters)
+    rig: Rig | None = None
 
     def __post_init__(self) -> None:
         for name in ("travel", "elevation"):
@@ -47,7 +50,8 @@ class ManeuverSampler:
 
     def maneuver(self, travel: float, start: float, goal: float) -> Maneuver:
         """The transition by a travel, between two elevations, all in rad."""
-        return Maneuver((0.0, start), (travel, goal), self.duration, self.limits, self.parameters)
+        parameters = self.parameters if self.rig is None else None
+        return Maneuver((0.0, start), (travel, goal), self.duration, self.limits, parameters, self.rig)  # type: ignore
 
     def __call__(self, rng: np.random.Generator) -> Trajectory:
         """The plan of a random transition. Raises RuntimeError if there hardly is any in this duration."""

@@ -7,8 +7,10 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import solve_ivp
 
-from heli_gym import Limits, Maneuver, PowerCurve, Rig, TableCurve, ThrustMap, dynamics, find_rig
-from heli_gym.baselines import make_policy, plan, riccati_gains
+from heli_gym import Limits, Maneuver, PowerCurve, Rig, TableCurve, ThrustMap, Trajectory, dynamics, find_rig
+from heli_gym.baselines import ManeuverSampler, make_policy, plan, riccati_gains
+from heli_gym.baselines.commands import evaluate, plan_maneuver
+from heli_gym.cli import CommandError
 from heli_gym.model import virtual_input
 from heli_gym.rig import PAPER
 
@@ -82,3 +84,30 @@ def test_a_plan_within_tighter_limits_keeps_them():
     trajectory = plan(maneuver)
     assert trajectory.u.min() >= 1.0 - 1e-6 and trajectory.u.max() <= 6.0 + 1e-6
     assert np.abs(trajectory.x[4]).max() <= 0.6 + 1e-6
+
+
+def test_a_sampler_draws_plans_for_its_rig():
+    rig = find_rig("ntnu")
+    sampler = ManeuverSampler(duration=10.0, travel=(-1.0, 1.0), limits=rig.limits, rig=rig)
+    trajectory = sampler(np.random.default_rng(0))
+    assert trajectory.rig == rig
+
+
+def test_the_commands_plan_for_a_rig_and_refuse_its_plan_on_another(tmp_path, capsys):
+    path = tmp_path / "plan.npz"
+    plan_maneuver.main(plan_maneuver.Args(rig="ntnu", travel_deg=90.0, duration=8.0, out=path, figure=False))
+    assert Trajectory.load(path).rig == find_rig("ntnu")
+    settings = {"policies": ("open-loop",), "reference": str(path), "episodes": 1, "figures": False}
+    with pytest.raises(CommandError) as raised:
+        evaluate.main(evaluate.Args(**settings, out=tmp_path / "out"))
+    assert raised.value.code == 2
+    assert "is for the rig 'ntnu'" in capsys.readouterr().err
+    evaluate.main(evaluate.Args(**settings, rig="ntnu", out=tmp_path / "out"))
+    assert "of the rig ntnu" in capsys.readouterr().out
+    evaluate.main(evaluate.Args(**settings, force=True, out=tmp_path / "forced"))
+
+
+def test_limits_of_a_rig_bound_what_a_plan_may_ask_for(tmp_path, capsys):
+    with pytest.raises(CommandError):
+        plan_maneuver.main(plan_maneuver.Args(rig="paper", u_max=13.0, out=tmp_path / "p.npz"))
+    assert "must be within the 0 to 12 V of the rig 'paper'" in capsys.readouterr().err
