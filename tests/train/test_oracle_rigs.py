@@ -9,7 +9,7 @@ from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import Plant, Rotors
 
 pytest.importorskip("casadi")
-from heli_gym.train.oracle import Oracle  # noqa: E402
+from heli_gym.train.oracle import Oracle
 
 LAGGING = Plant(rotors=Rotors(lag=0.1))
 
