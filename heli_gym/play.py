@@ -99,7 +99,7 @@ def set_point(
     Position, rate and acceleration (2,) are those of travel and elevation, in rad and s.
     """
     x = np.array((position[0], rate[0], position[1], rate[1], 0.0, 0.0))
-    x[4] = math.atan2(*thrust_vector(x, *acceleration, parameters))
+    x[4] = math.atan2(*thrust_vector(x, acceleration[0], acceleration[1], parameters))
     return x, np.array(inverse_dynamics(x, acceleration[1], 0.0, parameters))
 
 

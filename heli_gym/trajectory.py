@@ -225,7 +225,8 @@ class Trajectory:
         try:
             # opened here, so that it is closed whatever it turns out to hold
             with open(path, "rb") as file, np.load(file, allow_pickle=False) as data:
-                limits = Limits(*(None if math.isnan(limit) else float(limit) for limit in data["limits"]))
+                values: list[Any] = [None if math.isnan(limit) else float(limit) for limit in data["limits"]]
+                limits = Limits(*values)
                 own = Rig.from_toml(str(data["rig"])) if "rig" in data else PAPER
                 trajectory = cls(data["t"], data["x"], data["u"], limits, own)
         except OSError:

@@ -260,7 +260,9 @@ def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -
     which bounds hold.
     """
     limits = low, high = maneuver.rig.thrust_bounds(maneuver.limits.u)
-    on_the_way, tighter, slopes, over = False, {}, None, {}
+    tighter: dict[str, float] = {}
+    over: dict[str, float] = {}
+    on_the_way, slopes = False, None
     for _ in range(TIGHTENINGS):
         spline = optimum(maneuver, start, Bounds((low, high), on_the_way, tighter, slopes), barrier)
         if spline is None and over:
