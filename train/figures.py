@@ -10,6 +10,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.residual import ResidualPolicy
@@ -45,6 +46,7 @@ def learning_curves(runs: dict[str, Sequence[Path]]) -> Figure:
     axes[0].set_ylabel("mean RMS error (deg)")
     axes[0].set_yscale("log")
     axes[0].set_yticks([0.5, 1.0, 2.0, 5.0], ["0.5", "1", "2", "5"])
+    axes[0].yaxis.set_minor_formatter(NullFormatter())
     for axis in axes:
         axis.grid(alpha=0.3, which="both")
     axes[1].legend(fontsize=8)
