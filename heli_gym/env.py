@@ -508,7 +508,7 @@ def _numbers(values: Any, count: int) -> list[float] | None:
 
 def _number(name: str, value: Any, unit: str, low: float, high: float) -> float:
     """The value, if it is in [low, high]."""
-    if not isinstance(value, Real) or isinstance(value, bool) or not low <= value <= high:
+    if not isinstance(value, Real) or isinstance(value, bool) or not low <= value <= high:  # type: ignore[operator]
         raise ValueError(f"{name} = {value!r}: must be at least {low:g} and at most {high:g} {unit}")
     return float(value)
 

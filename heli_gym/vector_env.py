@@ -298,12 +298,12 @@ class Heli3DOFVectorEnv(VectorEnv):
             self.renderer.close()
             self.renderer = None
 
-    @property
-    def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]
+    @property  # type: ignore[override]
+    def np_random(self) -> tuple[np.random.Generator, ...]:
         """Random generator of each helicopter."""
         return tuple(self.generators)
 
-    @np_random.setter
+    @np_random.setter  # type: ignore[override]
     def np_random(self, value: Sequence[np.random.Generator]) -> None:
         generators = list(value) if isinstance(value, list | tuple) else []
         if len(generators) != self.num_envs or not all(isinstance(one, np.random.Generator) for one in generators):

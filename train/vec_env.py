@@ -82,7 +82,7 @@ class HeliVecEnv(VecEnv):
 
     def reset(self) -> np.ndarray:
         """Start episodes with the seeds of `seed` and the options of `set_options`, each helicopter its own."""
-        seed = None if self._seeds[0] is None else list(self._seeds)
+        seed: Any = None if self._seeds[0] is None else list(self._seeds)
         observation, self.info = self.envs.reset(seed=seed, options=self._merged_options())
         self._reset_seeds()
         self._reset_options()
@@ -186,7 +186,7 @@ class HeliVecEnv(VecEnv):
 
     def get_images(self) -> Sequence[np.ndarray | None]:
         """Picture of each helicopter."""
-        return self.envs.render() or []
+        return list(self.envs.render() or [])
 
 
 class Helicopter:
@@ -265,7 +265,7 @@ class ResidualVecEnv(HeliVecEnv):
 
     def drawn(self) -> np.ndarray:
         """The draws of the plants (len(DRAWN), N), about zero and of order one."""
-        rows = [(self.envs.simulation.rows(row, 1)[0] - middle) / scale for row, middle, scale in DRAWN]
+        rows = [(self.core.simulation.rows(row, 1)[0] - middle) / scale for row, middle, scale in DRAWN]
         return np.array(rows)
 
     def shown(self, features: np.ndarray, state: np.ndarray, time: np.ndarray) -> np.ndarray:
@@ -277,7 +277,7 @@ class ResidualVecEnv(HeliVecEnv):
 
     def reference_at(self, time: np.ndarray) -> np.ndarray:
         """The states (6, N) of the reference at times (N,) in s."""
-        return self.policy.x[:, step_index(time, self.envs.control_period, self.policy.x.shape[1] - 1)]
+        return self.policy.x[:, step_index(time, self.core.control_period, self.policy.x.shape[1] - 1)]
 
     def rewarded(self, rewards: np.ndarray, done: np.ndarray) -> np.ndarray:
         if self.objective == "environment":
@@ -287,11 +287,11 @@ class ResidualVecEnv(HeliVecEnv):
             final = self.info["final_info"]
             state = np.where(done, final["state"].T, state)
             time, cost = np.where(done, final["time"], time), np.where(done, final["cost"], cost)
-        return tracking_reward((state - self.reference_at(time))[0:3:2], cost / self.envs.control_period, rewards)
+        return tracking_reward((state - self.reference_at(time))[0:3:2], cost / self.core.control_period, rewards)
 
     def to_env_action(self, actions: np.ndarray) -> np.ndarray:
         u = self.policy.correct(self.t, self.measurement, self.u_base, np.clip(actions.T, -1.0, 1.0).astype(float))
-        return to_action(u, self.envs.voltage_limits, self.envs.hover_voltage).T
+        return to_action(u, self.core.voltage_limits, self.core.hover_voltage).T
 
     def observed(self, observation: np.ndarray, done: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         self.t, self.measurement, state = self.info["time"], self.info["measurement"].T, self.info["state"].T

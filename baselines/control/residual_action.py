@@ -108,7 +108,7 @@ class ResidualAction(gym.Wrapper, gym.utils.RecordConstructorArgs):
         if self.base is None or not hasattr(self, "u_base"):
             raise gym.error.ResetNeeded("call reset before step")
         u = np.clip(self.u_base + self.authority * np.clip(a, -1.0, 1.0), *self.core.voltage_limits)
-        if hasattr(self.base, "with_applied_input"):
+        if isinstance(self.base, StatefulPolicy) and hasattr(self.base, "with_applied_input"):
             self.base.memory = self.base.with_applied_input(self.base.memory, u)
         observation, reward, terminated, truncated, info = self.env.step(self.core.to_action(u))
         return self._with_base(observation, info), float(reward), terminated, truncated, info
@@ -192,7 +192,7 @@ class VectorResidualAction(VectorWrapper):
         u = np.clip(self.u_base + self.authority * np.clip(a.T, -1.0, 1.0), *self.core.voltage_limits)
         observation, rewards, terminated, truncated, info = self.env.step(self.core.to_action(u.T))
         for group in self.groups:
-            if hasattr(group.policy, "with_applied_input"):
+            if isinstance(group.policy, StatefulPolicy) and hasattr(group.policy, "with_applied_input"):
                 group.memory = group.policy.with_applied_input(group.memory, u[:, group.members])
         done = terminated | truncated
         if self.core.autoreset_mode is AutoresetMode.SAME_STEP and done.any():
