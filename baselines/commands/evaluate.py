@@ -40,7 +40,7 @@ PAPERS_REFERENCE = "travel-360"
 PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
 FIGURE_START_DEG = (-5.0, 5.0)  # travel and elevation off the reference, where the flights of Figs. 10 and 11 start
 FLIGHTS_ON_A_PAGE = 60
-NOT_COMPARED = ("residual", "residual-rigid", "middle-voltage", "zero")  # unless they are asked for
+NOT_COMPARED = ("linear-mpc", "residual", "residual-rigid", "middle-voltage", "zero")  # unless they are asked for
 COMPARED = tuple(name for name in POLICIES if name not in NOT_COMPARED)
 COLUMNS = (
     "start",

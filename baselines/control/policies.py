@@ -12,6 +12,7 @@ from heli_gym.baselines.control.cascade import flatness, pd_cascade
 from heli_gym.baselines.control.constant import middle_voltage, zero
 from heli_gym.baselines.control.discrete_lqr import Weights
 from heli_gym.baselines.control.l1_adaptive import l1_adaptive
+from heli_gym.baselines.control.linear_mpc import linear_mpc
 from heli_gym.baselines.control.model_based import kalman_lqr, lag_lqi, lag_lqr, lqi
 from heli_gym.baselines.control.predictive import adaptive_lqr, adaptive_mpc, nmpc
 from heli_gym.baselines.control.protocol import Policy, is_finite
@@ -41,6 +42,7 @@ POLICIES: dict[str, Callable[..., Policy]] = {
     "adaptive-lqr": adaptive_lqr,
     "adaptive-mpc": adaptive_mpc,
     "nmpc": nmpc,
+    "linear-mpc": linear_mpc,
     "l1-adaptive": l1_adaptive,
     "gain-scheduled": gain_scheduled,
     "flatness": flatness,

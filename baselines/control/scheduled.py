@@ -57,4 +57,4 @@ def gain_scheduled(reference: Trajectory, control_period: float, rig: Rig, weigh
         P = solve_discrete_are(a, b, Q, R)
         gains.append(np.linalg.solve(R + b.T @ P @ b, b.T @ P @ a))
     v = np.stack(virtual_input(rig.thrust(u)))
-    return ScheduledPolicy(x, v, np.moveaxis(gains, 0, -1), rig, control_period)
+    return ScheduledPolicy(x, v, np.stack(gains, axis=-1), rig, control_period)
