@@ -70,7 +70,7 @@ __all__ = [
     "voltage",
 ]
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 register(
     id="Heli3DOF-v0",
