@@ -35,9 +35,9 @@ from heli_gym.baselines.evaluation.leaderboard import (
     Ledger,
     Settings,
     batches,
-    check_policies,
     env_settings,
     fly_all,
+    flyable,
     microseconds_per_step,
     pilot_for,
     policy_on,
@@ -47,7 +47,7 @@ from heli_gym.baselines.evaluation.leaderboard import (
 from heli_gym.baselines.evaluation.report import Shown, write_report
 from heli_gym.baselines.evaluation.rollout import fly
 from heli_gym.cli import command, parse
-from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED, PLANTS
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.vector_env import Heli3DOFVectorEnv
@@ -152,10 +152,11 @@ def main(args: Args | None = None) -> None:
 def run(args: Args) -> None:
     """Fly what is missing, then write and print the tables; interrupted, write those of the flights so far."""
     conditions, settings = check(args)
-    wanted = batches(args.policies, conditions, settings)
-    check_policies(wanted, settings)
+    wanted, left_out = flyable(batches(args.policies, conditions, settings), settings)
     check_begun(args, settings)
     console = Console(width=None if sys.stdout.isatty() else 180)
+    for reason in left_out:
+        console.print(reason)
     ledger = Ledger(args.out)
     try:
         write_json(args.out / SETTINGS, {**settings._asdict(), "version": version("heli-gym")})
@@ -367,7 +368,7 @@ def write_flights(
             "columns": names,
             "rows": [[row[0], entry["policy"], *row[2:]] for entry in entries for row in [cells(entry)]],
         },
-        reference=find_reference(condition.reference),
+        reference=own["reference"],
         shown=shown,
         errors=errors,
     )

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from heli_gym.plant import AXES, Friction, Gust, OneOf, Plant, RotorFault, Uniform, find_plant, parts_of
+from heli_gym.plant import AXES, NOMINAL_RIGS, Gust, OneOf, Plant, RotorFault, Uniform, find_plant, parts_of
 
 OUTSIDE = "+outside"
 COULOMB = (Uniform(0.0, 0.01), Uniform(0.0, 0.02), Uniform(0.0, 0.05))  # rad/s², of travel, elevation and pitch
@@ -22,9 +22,14 @@ def find_condition(name: str | Plant) -> Plant:
     plant = find_plant(name.removesuffix(OUTSIDE))
     return replace(
         plant,
-        friction=Friction(plant.friction.viscous, COULOMB),
+        friction=replace(plant.friction, coulomb=COULOMB),
         disturbances=(*plant.disturbances, RotorFault("front", WEAKER), *GUSTS),
     )
+
+
+def rig_of(name: str | Plant) -> str:
+    """The rig that controllers on this plant are designed for: that which the plant deviates from."""
+    return NOMINAL_RIGS.get(name.removesuffix(OUTSIDE), "paper") if isinstance(name, str) else "paper"
 
 
 UNITS = {  # of parameters of plants, by the last word of their names

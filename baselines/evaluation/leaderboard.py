@@ -26,7 +26,7 @@ import numpy as np
 from heli_gym.baselines.control.policies import is_learned
 from heli_gym.baselines.control.weights import TUNED, WEIGHTS
 from heli_gym.baselines.evaluation.agents import make_pilot
-from heli_gym.baselines.evaluation.conditions import OUTSIDE, find_condition
+from heli_gym.baselines.evaluation.conditions import OUTSIDE, find_condition, rig_of
 from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.baselines.evaluation.scoring import FlightTable, score_episodes
 from heli_gym.baselines.evaluation.statistics import (
@@ -37,8 +37,9 @@ from heli_gym.baselines.evaluation.statistics import (
     rank_crashes_last,
     ranks,
 )
-from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.storage import atomic_write, try_lock
+from heli_gym.trajectory import Trajectory
 
 RETRIES = 3  # of a pool of processes in which one was killed
 TIMED_STEPS = 100
@@ -105,15 +106,23 @@ def batches(policies: Sequence[str], conditions: Sequence[Condition], settings: 
 @lru_cache(maxsize=64)
 def pilot_for(policy: str, condition: Condition, control_period: float) -> Any:
     """The policy, made once in each process."""
-    env = Heli3DOFEnv(find_condition(condition.plant), condition.reference, control_period)
+    settings = Settings(0, 1, 1, control_period, 0.0)
+    env = Heli3DOFEnv(**env_settings(condition, settings))
     return make_pilot(policy, env.reference, control_period, env.voltage_limits)
+
+
+@lru_cache
+def reference_on(reference: str, rig: str) -> Trajectory:
+    """The maneuver for a rig, planned once in each process where the packaged one is for another rig."""
+    return reference_for(reference, rig)
 
 
 def env_settings(condition: Condition, settings: Settings) -> dict[str, Any]:
     """Arguments of the environments of a condition."""
     return {
         "plant": find_condition(condition.plant),
-        "reference": find_reference(condition.reference),
+        "reference": reference_on(condition.reference, rig_of(condition.plant)),
+        "rig": rig_of(condition.plant),
         "control_period": settings.control_period,
         "start_spread_deg": settings.start_spread_deg,
     }
@@ -342,9 +351,19 @@ def standings(rows: Sequence[dict[str, Any]], against: str) -> list[dict[str, An
     return sorted(table, key=lambda entry: (entry["rank"]["value"], entry["policy"]))
 
 
-def check_policies(wanted: Sequence[Batch], settings: Settings) -> None:
-    """Make every policy once in this process, so that what cannot be made is named before the first flight."""
+def flyable(wanted: Sequence[Batch], settings: Settings) -> tuple[list[Batch], list[str]]:
+    """The batches that can be flown, and why others cannot: networks that were trained for another rig.
+
+    Every policy is made once in this process, so that what cannot be made is named before the first flight.
+    """
+    refused: dict[tuple[str, Condition], str] = {}
     for policy, condition in dict.fromkeys((batch.policy, batch.condition) for batch in wanted):
         if is_learned(policy) and settings.control_period != 0.02:
             raise ValueError(f"policies: {policy!r} was trained for 0.02 s, not {settings.control_period:g} s")
-        pilot_for(policy, condition, settings.control_period)
+        try:
+            pilot_for(policy, condition, settings.control_period)
+        except ValueError as error:
+            if rig_of(condition.plant) == "paper" or not is_learned(policy):
+                raise
+            refused[policy, condition] = f"{policy} is left out on {condition.plant}: {error}"
+    return [batch for batch in wanted if (batch.policy, batch.condition) not in refused], list(refused.values())

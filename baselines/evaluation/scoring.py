@@ -9,10 +9,11 @@ from typing import Any, overload
 import numpy as np
 
 from heli_gym.baselines.evaluation.agents import FunctionPolicy, make_pilot
+from heli_gym.baselines.evaluation.conditions import find_condition, rig_of
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.evaluation.statistics import mean_with_interval, rank_crashes_last
-from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.env import Heli3DOFEnv, find_reference, reference_for
 from heli_gym.plant import HELD_OUT_SEED, Plant
 from heli_gym.storage import atomic_write
 from heli_gym.trajectory import Trajectory
@@ -118,9 +119,11 @@ def evaluate(
         raise ValueError(f"episodes = {episodes!r}: must be a whole number, at least 1")
     if not isinstance(seed, int) or seed < 0:
         raise ValueError(f"seed = {seed!r}: must be a whole number, at least 0")
+    rig = rig_of(plant) if isinstance(reference, str) else find_reference(reference).rig
     settings: dict[str, Any] = {
-        "plant": plant,
-        "reference": find_reference(reference),
+        "plant": find_condition(plant),
+        "reference": reference_for(reference, rig),
+        "rig": rig,
         "control_period": control_period,
         "start_spread_deg": start_spread_deg,
     }

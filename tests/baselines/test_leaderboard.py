@@ -310,3 +310,13 @@ def test_each_policy_has_one_label_and_colours_that_are_shown_together_differ():
     names = [*LABELS, "mine", "yours", "kalman-lqr@lab"]
     few = names[:9]
     assert len(set(colours_of(few))) == len(few)
+
+
+def test_on_the_fleet_the_maneuver_is_planned_for_its_rig_and_networks_for_another_are_left_out():
+    condition = Condition("fleet", "climb-7.5")
+    wanted = batches(("zero", "residual"), [condition], SETTINGS)
+    kept, left_out = leaderboard.flyable(wanted, SETTINGS)
+    assert {batch.policy for batch in kept} == {"zero"}
+    [reason] = left_out
+    assert reason.startswith("residual is left out on fleet: ")
+    assert leaderboard.env_settings(condition, SETTINGS)["reference"].rig.name == "fleet"
