@@ -4,7 +4,7 @@ Learning curves of stored runs, and one flight that shows how a learned correcti
 """
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -22,7 +22,7 @@ from heli_gym.train.train import START_SPREAD_DEG, VALIDATION_SEED
 PARTS = (("travel", lambda row: row["rms_error_deg"][0]), ("elevation", lambda row: row["rms_error_deg"][1]))
 
 
-def learning_curves(runs: dict[str, Sequence[Path]]) -> Figure:
+def learning_curves(runs: Mapping[str, Sequence[Path]]) -> Figure:
     """Errors on the validation helicopters against control periods and CPU time.
 
     Args:
@@ -30,7 +30,9 @@ def learning_curves(runs: dict[str, Sequence[Path]]) -> Figure:
     """
     figure, axes = plt.subplots(1, 2, figsize=(10.0, 3.6), sharey=True, layout="constrained")
     for number, (label, folders) in enumerate(runs.items()):
-        steps, seconds, rows = [], [], []
+        steps: list[int] = []
+        seconds: list[float] = []
+        rows: list[dict] = []
         for stage, folder in enumerate(folders):
             history = json.loads((folder / "history.json").read_text())
             offset = (steps[-1], seconds[-1]) if steps else (0, 0.0)

@@ -133,7 +133,7 @@ def with_defaults(args: Args) -> Args:
     return replace(args, base=base, **missing)
 
 
-def check(args: Args) -> None:
+def check(args: Any) -> None:
     """Raises ValueError for settings that make no sense."""
     sizes = ("steps", "envs", "chunk", "cell", "hold", "rollout", "epochs", "buffer", "validation")
     for name, least in (*dict.fromkeys(sizes, 1).items(), ("batch", 2)):
@@ -176,12 +176,12 @@ def check(args: Args) -> None:
     check_folder("out", args.out)
 
 
-def chunks_of(args: Args) -> int:
+def chunks_of(args: Any) -> int:
     """Number of chunks."""
     return -(-args.steps // (args.chunk * args.envs))
 
 
-def draws_of(args: Args) -> int:
+def draws_of(args: Any) -> int:
     """Number of seeds that a chunk takes."""
     if args.algo != "apg":
         return args.envs  # later flights of a helicopter go on with its generator
@@ -199,7 +199,7 @@ def reference_of(args: Args) -> Trajectory:
     return planned_reference(args.reference, args.rig, args.force)
 
 
-def run_folder(args: Args) -> Path:
+def run_folder(args: Any) -> Path:
     """Where the run with these settings leaves what it leaves: a folder for each plant, method and seed."""
     method = f"{args.algo}-{args.base}" if args.mode == "residual" else f"{args.algo}-scratch"
     for name in (
@@ -246,7 +246,7 @@ def check_begun(args: Args, folder: Path) -> bool:
 # The helicopters and the agent
 
 
-def make_residual_policy(args: Args, reference: Any, network: Any = None) -> ResidualPolicy:
+def make_residual_policy(args: Any, reference: Any, network: Any = None) -> ResidualPolicy:
     """The policy to learn, with this network or, without one, for an agent in its place."""
     return ResidualPolicy(
         make_policy(args.base, reference),
@@ -260,7 +260,7 @@ def make_residual_policy(args: Args, reference: Any, network: Any = None) -> Res
     )
 
 
-def make_helicopters(args: Args, reference: Any) -> Heli3DOFVectorEnv | ResidualVecEnv:
+def make_helicopters(args: Any, reference: Any) -> Heli3DOFVectorEnv | ResidualVecEnv:
     """The helicopters to train on."""
     envs = Heli3DOFVectorEnv(
         args.envs, args.plant, reference, start_spread_deg=START_SPREAD_DEG, autoreset_mode="SameStep", rig=args.rig
@@ -271,7 +271,7 @@ def make_helicopters(args: Args, reference: Any) -> Heli3DOFVectorEnv | Residual
     return ResidualVecEnv(envs, make_residual_policy(args, reference), args.objective, privileged=privileged)
 
 
-def make_agent(args: Args, helicopters: Any) -> APG | BaseAlgorithm:
+def make_agent(args: Any, helicopters: Any) -> APG | BaseAlgorithm:
     """The agent, whose first actions are small: its last layer is near zero."""
     if args.algo == "apg":
         agent = APG(
@@ -418,7 +418,7 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     return folder
 
 
-def learn(args: Args, agent: APG | BaseAlgorithm, helicopters: Any, number: int, chunks: int) -> None:
+def learn(args: Any, agent: APG | BaseAlgorithm, helicopters: Any, number: int, chunks: int) -> None:
     """Learn for one chunk. Its random numbers follow from the seed and the number of the chunk alone.
 
     So an interrupted run can go on with the chunk in which it was interrupted, and ends with the same weights.
@@ -470,10 +470,10 @@ def restore(agent: APG | BaseAlgorithm, state: dict[str, Any]) -> list[dict[str,
     return json.loads(state["history"])
 
 
-def learned_settings(args: Args, agent: APG | BaseAlgorithm) -> Learned:
+def learned_settings(args: Any, agent: APG | BaseAlgorithm) -> Learned:
     """Settings that are stored with the network."""
     residual = agent.residual if isinstance(agent, APG) else agent.get_env().policy  # type: ignore[union-attr]
-    network = network_of(agent)
+    network: Any = network_of(agent)
     recurrent = isinstance(network, RecurrentNetwork)
     return Learned(
         base=args.base,
