@@ -69,7 +69,7 @@ class Args:
     """Train an agent. Settings without a value have the learner's default, see `DEFAULTS`."""
 
     algo: Literal["apg", "ppo", "sac", "td3", "tqc"] = "apg"
-    plant: str = "lab"  # drawn anew in every flight: lab or, but for apg, rigid
+    plant: str = "lab"  # drawn anew in every flight: lab or rigid
     mode: Literal["residual", "scratch"] = "residual"  # whether the agent corrects the base policy or flies alone
     base: str = ""  # policy to correct; by default "feedforward+tvlqr@PLANT", the paper's with weights for the plant
     scale: float | None = None  # V, the greatest correction; by default the amplifier's range, or half of it alone
