@@ -84,7 +84,10 @@ def locked(path: str | os.PathLike) -> Iterator[None]:
             if fcntl is not None:
                 fcntl.flock(file, fcntl.LOCK_EX)
             # Whoever held it has removed it: another file has its name now, or none.
-            if not lock.exists() or os.fstat(file.fileno()).st_ino != lock.stat().st_ino:
+            try:
+                if os.fstat(file.fileno()).st_ino != lock.stat().st_ino:
+                    continue
+            except FileNotFoundError:
                 continue
             try:
                 yield
