@@ -42,11 +42,15 @@ class Limits:
     """What a planned flight may use: voltages in V and pitch in rad, (9) by default; more limits where they are given.
 
     Args:
-        u_min, u_max: voltages in V.
-        pitch_min, pitch_max: in rad.
-        elevation_min, elevation_max: in rad, positive down.
-        travel_rate, elevation_rate: at most, in rad/s, in both directions.
-        slew: change of a voltage at most, in V/s.
+        u_min: least voltage in V.
+        u_max: greatest voltage in V.
+        pitch_min: least pitch in rad.
+        pitch_max: greatest pitch in rad.
+        elevation_min: least elevation in rad, positive down: the highest the helicopter may be.
+        elevation_max: greatest elevation in rad, positive down: the lowest it may be.
+        travel_rate: greatest travel rate in rad/s, in both directions.
+        elevation_rate: greatest elevation rate in rad/s, in both directions.
+        slew: greatest change of a voltage in V/s.
 
     Raises ValueError if a limit is not finite, or if the limits contradict each other.
     """

@@ -32,7 +32,8 @@ class Maneuver:
         rig: the rig that flies, or its name or file; "paper" by default.
         floor: travel (N,), increasing, and elevation (N,) in rad: a line in space, linear in between and level outside,
             at or above which the helicopter stays (q2 at most the line's elevation, since elevation is positive down).
-        start_state, goal_state: (6,), in place of start and goal: ends that are not at rest.
+        start_state: state (6,) in place of start: one that is not at rest.
+        goal_state: state (6,) in place of goal: one that is not at rest.
 
     Raises:
         ValueError: if a value is not finite, the duration is not positive, hover at the start or at the goal needs

@@ -91,8 +91,10 @@ def riccati_gains(
         reference: what is flown; its duration is T.
         rig: whose model (3) is linearised; by default the reference's, and parameters stand for the paper's rig with
             these.
-        Q, R, M: the weights (6, 6), (2, 2) and (6, 6) of (49). Without an M, the cost of holding the end of the
-            reference for ever, so that the gains end where the stationary regulator's are.
+        Q: weight (6, 6) of the state in (49).
+        R: weight (2, 2) of the thrusts v in (49).
+        M: weight (6, 6) of the final state in (49). Without one, the cost of holding the end of the reference for
+            ever, so that the gains end where the stationary regulator's are.
 
     Raises:
         ValueError: if a weight has the wrong shape, is not symmetric or not positive (semi)definite.
