@@ -100,6 +100,7 @@ def csv_text(controller: Controller, inputs: list[str]) -> str:
 
 def from_workspace(t: np.ndarray, values: np.ndarray) -> dict[str, Any]:
     """A signal (n, K) or (m, n, K) as the structure with time that Simulink's From Workspace reads."""
+    signals: dict[str, Any]
     if values.ndim == 2:
         signals = {"values": values.T, "dimensions": float(len(values))}
     else:
@@ -113,7 +114,7 @@ def mat_bytes(controller: Controller, inputs: list[str], rig: Rig, policy: str) 
 
     c, buffer = controller, io.BytesIO()
     signals = {"x_ref": c.x, "u_ff": c.u, "v_ff": c.v, "K": c.K}
-    content = {name: from_workspace(c.t, values) for name, values in signals.items()}
+    content: dict[str, Any] = {name: from_workspace(c.t, values) for name, values in signals.items()}
     content |= {
         "gain_inputs": np.array(inputs, dtype=object),
         "sample_time": float(c.t[1]),

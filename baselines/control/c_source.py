@@ -31,7 +31,7 @@ from heli_gym.task import TOLERANCE
 from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustCurve
 
 TEMPLATES = Path(__file__).parent / "c_code"
-PRECISIONS = {"double": np.float64, "single": np.float32}
+PRECISIONS: dict[str, type[np.floating]] = {"double": np.float64, "single": np.float32}
 FUNCTIONS = ("sin", "cos", "atan2", "sqrt", "pow", "exp", "fabs", "tanh")
 
 HEADER = """\
@@ -247,7 +247,7 @@ def add_residual(source: CSource, policy: ResidualPolicy) -> None:
     groups = {group for group in policy.feature_groups if group != "estimate" or on_model}
     inputs = (network.weight_input if isinstance(network, RecurrentNetwork) else head.weights[0]).shape[1]
     hidden = network.size if isinstance(network, RecurrentNetwork) else 1
-    corrects = on_model and policy.scale > 0.0 and policy.base.actuator.delay > 0  # type: ignore[union-attr]
+    corrects = isinstance(policy.base, ModelPolicy) and policy.scale > 0.0 and policy.base.actuator.delay > 0
     source.define(
         SCALE=policy.scale,
         SATURATED_FIRST=policy.law == "saturated",

@@ -352,7 +352,7 @@ def load_learned(path: str | os.PathLike) -> tuple[Learned, Network | RecurrentN
         settings.tanh_output,
     )
     if settings.recurrent:
-        return settings, RecurrentNetwork(*(tensors[name].astype(float) for name in CELL), network)
+        return settings, RecurrentNetwork(**{name: tensors[name].astype(float) for name in CELL}, head=network)
     return settings, network
 
 

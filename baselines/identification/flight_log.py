@@ -119,7 +119,7 @@ class FlightLog:
     def saturated(self, limits: tuple[float, float] = (-24.0, 24.0)) -> np.ndarray:
         """Mask (K,) of the samples at which a voltage is at or beyond the amplifier's limits in V."""
         low, high = limits
-        return ((self.voltages <= low + 1e-6) | (self.voltages >= high - 1e-6)).any(axis=0)
+        return np.any((self.voltages <= low + 1e-6) | (self.voltages >= high - 1e-6), axis=0)
 
     def save(self, path: str | os.PathLike) -> None:
         """Write a .csv file that `load` reads back, atomically."""
