@@ -14,7 +14,7 @@ import torch
 from gymnasium.utils.seeding import np_random
 from threadpoolctl import threadpool_limits
 
-from heli_gym.baselines.control.residual import Network, RecurrentNetwork, ResidualPolicy
+from heli_gym.baselines.control.residual import CELL, Network, RecurrentNetwork, ResidualPolicy
 from heli_gym.baselines.control.tracking import TrackingPolicy
 from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.simulation import layout, motion
@@ -47,8 +47,8 @@ class Actor(torch.nn.Module):
 
 def network_of(actor: Actor) -> RecurrentNetwork:
     """The actor for numpy."""
-    arrays = [tensor.detach().numpy().astype(float) for tensor in actor.parameters()]
-    return RecurrentNetwork(*arrays[:4], Network((arrays[4],), (arrays[5],), tanh_output=True))
+    *cell, weight, bias = (tensor.detach().numpy().astype(float) for tensor in actor.parameters())
+    return RecurrentNetwork(**dict(zip(CELL, cell)), head=Network((weight,), (bias,), tanh_output=True))
 
 
 def set_network(actor: Actor, network: Network | RecurrentNetwork) -> None:
@@ -170,7 +170,8 @@ class APG:
         learning_rate: of Adam.
         hidden: states of the GRU cell.
         max_grad_norm: to which the gradient is clipped.
-        cost_weight, elevation_weight: of the loss, travel's error in degrees having one.
+        cost_weight: of the cost in the loss, in degrees of travel's error per second.
+        elevation_weight: of elevation's error in the loss, travel's having one.
         seed: of the network's first weights, and of the helicopters.
 
     Raises:

@@ -7,6 +7,7 @@ those of `heli_gym.baselines.control.residual.ResidualPolicy`.
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import onnx
@@ -29,19 +30,23 @@ class Args:
 
 def onnx_model(network: Network | RecurrentNetwork) -> onnx.ModelProto:
     """The network as an ONNX graph."""
-    head, tensors, nodes = network, [], []
-    value, inputs, outputs = "features", {}, {}
+    head = network.head if isinstance(network, RecurrentNetwork) else network
+    tensors: list[onnx.TensorProto] = []
+    nodes: list[onnx.NodeProto] = []
+    inputs: dict[str, int] = {}
+    outputs = {"actions": 2}
+    value = "features"
 
     def constant(name: str, array: np.ndarray) -> str:
         tensors.append(numpy_helper.from_array(array.astype(np.float32), name))
         return name
 
-    def node(operator: str, *arguments: str, to: str, **attributes: int) -> str:
+    def node(operator: str, *arguments: str, to: str, **attributes: Any) -> str:
         nodes.append(helper.make_node(operator, arguments, [to], **attributes))
         return to
 
     if isinstance(network, RecurrentNetwork):
-        head, n = network.head, network.size
+        n = network.size
         inputs["features"], inputs["hidden"] = network.weight_input.shape[1], n
         for name, gate in (("reset", slice(n)), ("update", slice(n, 2 * n)), ("new", slice(2 * n, None))):
             for source, weight, bias in (
@@ -67,11 +72,11 @@ def onnx_model(network: Network | RecurrentNetwork) -> onnx.ModelProto:
         value = node("Gemm", value, *parts, to=f"{layer}.sum" if squashed else result, transB=1)
         if squashed:
             value = node("Tanh", value, to=result)
-    described = [
+    described_inputs, described_outputs = (
         [helper.make_tensor_value_info(name, TensorProto.FLOAT, ["N", size]) for name, size in sizes.items()]
-        for sizes in (inputs, {"actions": 2, **outputs})
-    ]
-    graph = helper.make_graph(nodes, "residual", *described, tensors)
+        for sizes in (inputs, outputs)
+    )
+    graph = helper.make_graph(nodes, "residual", described_inputs, described_outputs, tensors)
     model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", OPSET)], ir_version=IR_VERSION)
     onnx.checker.check_model(model)
     return model

@@ -6,6 +6,7 @@ Learning curves of stored runs, and one flight that shows how a learned correcti
 import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -32,7 +33,7 @@ def learning_curves(runs: Mapping[str, Sequence[Path]]) -> Figure:
     for number, (label, folders) in enumerate(runs.items()):
         steps: list[int] = []
         seconds: list[float] = []
-        rows: list[dict] = []
+        rows: list[dict[str, Any]] = []
         for stage, folder in enumerate(folders):
             history = json.loads((folder / "history.json").read_text())
             offset = (steps[-1], seconds[-1]) if steps else (0, 0.0)

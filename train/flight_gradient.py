@@ -622,10 +622,12 @@ class Rollout:
         d_x, d_rotors, d_measured = np.zeros((6, LANES)), np.zeros((2, LANES)), np.zeros((6, LANES))
         d_u, d_base = np.zeros((T + delay, 2, LANES)), np.zeros((2, LANES))
         d_action, d_last = np.zeros((2, LANES)), np.zeros((2, LANES))
-        d_h = np.zeros((n, LANES), self.dtype)
-        d_input, d_product = np.zeros((3 * n, LANES), self.dtype), np.zeros((3 * n, LANES), self.dtype)
-        d_features = np.zeros((N_SEEN, LANES), self.dtype)
-        d_bias = np.zeros((T, 3 * n), self.dtype)
+
+        def zeros(*shape: int) -> np.ndarray:
+            return np.zeros(shape, self.dtype)
+
+        d_h, d_features, d_bias = zeros(n, LANES), zeros(N_SEEN, LANES), zeros(T, 3 * n)
+        d_input, d_product = zeros(3 * n, LANES), zeros(3 * n, LANES)
         g = Weights(*map(np.zeros_like, w))
         hidden_t, seen_t, output_t = (np.ascontiguousarray(m.T) for m in (w.hidden, w.seen, w.output))
         for t in reversed(range(T)):

@@ -88,12 +88,12 @@ def read_study(path: Path) -> list[train.Args]:
     return trials
 
 
-def check_trials(trials: Sequence[train.Args], args: Args) -> list[train.Args]:
+def check_trials(trials: Sequence[train.Args], args: Args) -> list[train.CompleteArgs]:
     """The trials, complete and checked as `heli-train` checks them. Raises ValueError for the first bad one."""
     if args.workers < 1:
         raise ValueError(f"workers = {args.workers}: must be at least 1")
     check_folder("out", args.out)
-    placed: list[train.Args] = []
+    placed: list[train.CompleteArgs] = []
     folders: dict[Path, int] = {}
     for number, trial in enumerate(trials, 1):
         try:
@@ -155,7 +155,7 @@ def run_trial(trial: train.Args) -> int:
     return subprocess.run([sys.executable, "-m", "heli_gym.train.sweep", order], stdout=subprocess.DEVNULL).returncode
 
 
-def row_of(trial: train.Args) -> dict[str, Any]:
+def row_of(trial: train.CompleteArgs) -> dict[str, Any]:
     """What a trial has reached: its settings of interest, and the validation of its last chunk."""
     folder = train.run_folder(trial)
     path = folder / "history.json"
@@ -172,7 +172,7 @@ def row_of(trial: train.Args) -> dict[str, Any]:
     }
 
 
-def write_rows(path: Path, trials: Sequence[train.Args]) -> list[dict[str, Any]]:
+def write_rows(path: Path, trials: Sequence[train.CompleteArgs]) -> list[dict[str, Any]]:
     """Write trials.csv."""
     rows, text = [row_of(trial) for trial in trials], io.StringIO()
     writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")

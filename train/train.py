@@ -15,7 +15,7 @@ import json
 import math
 import time
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any, Literal
@@ -122,7 +122,19 @@ DEFAULTS: dict[str, dict[str, Any]] = {
 }
 
 
-def with_defaults(args: Args) -> Args:
+@dataclass(frozen=True)
+class CompleteArgs(Args):
+    """Settings of which each has a value, from `with_defaults`."""
+
+    scale: float = field(kw_only=True)
+    feature_groups: tuple[str, ...] = field(kw_only=True)
+    steps: int = field(kw_only=True)
+    envs: int = field(kw_only=True)
+    chunk: int = field(kw_only=True)
+    learning_rate: float = field(kw_only=True)
+
+
+def with_defaults(args: Args) -> CompleteArgs:
     """The settings with the learner's defaults where there is no value, and the name of the base."""
     missing = {name: value for name, value in DEFAULTS[args.algo].items() if getattr(args, name) is None}
     if args.scale is None:
@@ -130,10 +142,10 @@ def with_defaults(args: Args) -> Args:
         missing["scale"] = 0.5 * (high - low) if args.mode == "scratch" else high - low
     tuned = f"@{args.plant}" if weights_file(args.plant, find_rig(args.rig)).is_file() else ""
     base = SCRATCH if args.mode == "scratch" else args.base or f"feedforward+tvlqr{tuned}"
-    return replace(args, base=base, **missing)
+    return CompleteArgs(**{**vars(args), "base": base, **missing})
 
 
-def check(args: Any) -> None:
+def check(args: CompleteArgs) -> None:
     """Raises ValueError for settings that make no sense."""
     sizes = ("steps", "envs", "chunk", "cell", "hold", "rollout", "epochs", "buffer", "validation")
     for name, least in (*dict.fromkeys(sizes, 1).items(), ("batch", 2)):
@@ -176,12 +188,12 @@ def check(args: Any) -> None:
     check_folder("out", args.out)
 
 
-def chunks_of(args: Any) -> int:
+def chunks_of(args: CompleteArgs) -> int:
     """Number of chunks."""
     return -(-args.steps // (args.chunk * args.envs))
 
 
-def draws_of(args: Any) -> int:
+def draws_of(args: CompleteArgs) -> int:
     """Number of seeds that a chunk takes."""
     if args.algo != "apg":
         return args.envs  # later flights of a helicopter go on with its generator
@@ -199,7 +211,7 @@ def reference_of(args: Args) -> Trajectory:
     return planned_reference(args.reference, args.rig, args.force)
 
 
-def run_folder(args: Any) -> Path:
+def run_folder(args: CompleteArgs) -> Path:
     """Where the run with these settings leaves what it leaves: a folder for each plant, method and seed."""
     method = f"{args.algo}-{args.base}" if args.mode == "residual" else f"{args.algo}-scratch"
     for name in (
@@ -246,7 +258,7 @@ def check_begun(args: Args, folder: Path) -> bool:
 # The helicopters and the agent
 
 
-def make_residual_policy(args: Any, reference: Any, network: Any = None) -> ResidualPolicy:
+def make_residual_policy(args: CompleteArgs, reference: Any, network: Any = None) -> ResidualPolicy:
     """The policy to learn, with this network or, without one, for an agent in its place."""
     return ResidualPolicy(
         make_policy(args.base, reference),
@@ -260,7 +272,7 @@ def make_residual_policy(args: Any, reference: Any, network: Any = None) -> Resi
     )
 
 
-def make_helicopters(args: Any, reference: Any) -> Heli3DOFVectorEnv | ResidualVecEnv:
+def make_helicopters(args: CompleteArgs, reference: Any) -> Heli3DOFVectorEnv | ResidualVecEnv:
     """The helicopters to train on."""
     envs = Heli3DOFVectorEnv(
         args.envs, args.plant, reference, start_spread_deg=START_SPREAD_DEG, autoreset_mode="SameStep", rig=args.rig
@@ -271,7 +283,7 @@ def make_helicopters(args: Any, reference: Any) -> Heli3DOFVectorEnv | ResidualV
     return ResidualVecEnv(envs, make_residual_policy(args, reference), args.objective, privileged=privileged)
 
 
-def make_agent(args: Any, helicopters: Any) -> APG | BaseAlgorithm:
+def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
     """The agent, whose first actions are small: its last layer is near zero."""
     if args.algo == "apg":
         agent = APG(
@@ -343,7 +355,9 @@ def network_of(agent: APG | BaseAlgorithm) -> Network | RecurrentNetwork:
     return Network(tuple(weights), tuple(biases), tanh_output)
 
 
-def validate(args: Args, agent: APG | BaseAlgorithm | None, envs: Heli3DOFVectorEnv, seed: int) -> dict[str, Any]:
+def validate(
+    args: CompleteArgs, agent: APG | BaseAlgorithm | None, envs: Heli3DOFVectorEnv, seed: int
+) -> dict[str, Any]:
     """Means over flights of the helicopters, seeded from `seed` on, with the agent or, without one, the base alone."""
     reference = envs.reference_of(0)
     network = network_of(agent) if agent else lambda features: np.zeros((2, *features.shape[1:]))
@@ -418,7 +432,7 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     return folder
 
 
-def learn(args: Any, agent: APG | BaseAlgorithm, helicopters: Any, number: int, chunks: int) -> None:
+def learn(args: CompleteArgs, agent: APG | BaseAlgorithm, helicopters: Any, number: int, chunks: int) -> None:
     """Learn for one chunk. Its random numbers follow from the seed and the number of the chunk alone.
 
     So an interrupted run can go on with the chunk in which it was interrupted, and ends with the same weights.
@@ -470,24 +484,25 @@ def restore(agent: APG | BaseAlgorithm, state: dict[str, Any]) -> list[dict[str,
     return json.loads(state["history"])
 
 
-def learned_settings(args: Any, agent: APG | BaseAlgorithm) -> Learned:
+def learned_settings(args: CompleteArgs, agent: APG | BaseAlgorithm) -> Learned:
     """Settings that are stored with the network."""
     residual = agent.residual if isinstance(agent, APG) else agent.get_env().policy  # type: ignore[union-attr]
-    network: Any = network_of(agent)
-    recurrent = isinstance(network, RecurrentNetwork)
+    network = network_of(agent)
+    recurrent = network.size if isinstance(network, RecurrentNetwork) else 0
+    first_layer = network.weight_input if isinstance(network, RecurrentNetwork) else network.weights[0]
     return Learned(
         base=args.base,
         scale=args.scale,
         reference=args.reference,
         plant=args.plant,
         control_period=CONTROL_PERIOD,
-        features=network.weight_input.shape[1] if recurrent else network.weights[0].shape[1],
+        features=first_layer.shape[1],
         hidden=() if recurrent else args.hidden,
         tanh_output=args.algo != "ppo",
         feature_groups=residual.feature_groups,
         law=residual.law,
         ahead=residual.ahead,
-        recurrent=network.size if recurrent else 0,
+        recurrent=recurrent,
         rig="" if same_dynamics(find_rig(args.rig), PAPER) else find_rig(args.rig).to_toml(),
     )
 

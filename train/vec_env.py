@@ -186,7 +186,8 @@ class HeliVecEnv(VecEnv):
 
     def get_images(self) -> Sequence[np.ndarray | None]:
         """Picture of each helicopter."""
-        return list(self.envs.render() or [])
+        pictures: Any = self.envs.render()
+        return list(pictures or [])
 
 
 class Helicopter:
