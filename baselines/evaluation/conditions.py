@@ -22,9 +22,15 @@ def find_condition(name: str | Plant) -> Plant:
     plant = find_plant(name.removesuffix(OUTSIDE))
     return replace(
         plant,
-        friction=replace(plant.friction, coulomb=COULOMB),
+        friction=replace(plant.friction, coulomb=tuple(map(widened, plant.friction.coulomb, COULOMB))),
         disturbances=(*plant.disturbances, RotorFault("front", WEAKER), *GUSTS),
     )
+
+
+def widened(value: Any, more: Uniform) -> Uniform:
+    """The range of a number, or of a range, with up to as much more as another range has."""
+    low, high = (value.low, value.high) if isinstance(value, Uniform) else (value, value)
+    return Uniform(low + more.low, high + more.high)
 
 
 def rig_of(name: str | Plant) -> str:

@@ -270,7 +270,6 @@ def test_policies_are_compared_on_the_draws_that_all_have_flown():
 def test_outside_of_the_family_there_is_what_no_preset_has():
     for name in PLANTS:
         plant = find_condition(f"{name}+outside")
-        assert plant.friction.coulomb == COULOMB
         assert plant.friction.viscous == PLANTS[name].friction.viscous
         assert any(isinstance(value, RotorFault) and value.rotor == "front" for value in plant.disturbances)
         assert find_condition(name) == PLANTS[name]
@@ -320,3 +319,11 @@ def test_on_the_fleet_the_maneuver_is_planned_for_its_rig_and_networks_for_anoth
     [reason] = left_out
     assert reason.startswith("residual is left out on fleet: ")
     assert leaderboard.env_settings(condition, SETTINGS)["reference"].rig.name == "fleet"
+
+
+def test_outside_the_family_friction_is_added_to_the_plants_own():
+    for name in ("lab", "fleet"):
+        inside, outside = find_condition(name).friction.coulomb, find_condition(f"{name}+outside").friction.coulomb
+        for own, more, added in zip(inside, outside, COULOMB):
+            own_high = getattr(own, "high", own)
+            assert more.high == pytest.approx(own_high + added.high)
