@@ -1,5 +1,6 @@
 """`heli-plan`: plan a maneuver, print what it takes, save it and draw it."""
 
+import csv
 import time
 from dataclasses import dataclass
 from math import degrees, isfinite, radians
@@ -18,6 +19,7 @@ from heli_gym.storage import check_folder
 from heli_gym.trajectory import Maneuver, Trajectory
 
 PAPERS = Maneuver()
+FARTHEST_DEG = 1e7  # some 28,000 turns
 
 
 @dataclass
@@ -33,7 +35,16 @@ class Args:
     pitch_limit_deg: float | None = None  # on both sides; by default the rig's for plans, the paper's 50
     u_min: float | None = None  # V; by default the rig's for plans, the paper's 1
     u_max: float | None = None  # V; likewise, 11
+    elevation_min_deg: float | None = (
+        None  # least elevation, positive downwards: the highest that the helicopter may be
+    )
+    elevation_max_deg: float | None = None  # greatest elevation: the lowest that it may be
+    travel_rate_deg: float | None = None  # greatest travel rate in deg/s, in both directions
+    elevation_rate_deg: float | None = None  # greatest elevation rate in deg/s, in both directions
+    slew: float | None = None  # V/s, greatest change of a voltage
+    floor: Path | None = None  # .csv file with columns travel_deg, elevation_deg: a line in space to stay above
     method: Literal["auto", "paper", "spline", "flat", "collocation"] = "auto"  # the last needs the extra ocp
+    objective: Literal["shortest", "effort", "reserve", "smoothest"] | None = None  # by default the method's own
     fastest: bool = False  # whether to look for the shortest duration, up to the one given
     reserve: float = 0.0  # share of the windows of voltages and pitch that the fastest plan leaves to the feedback
     time_limit: float | None = None  # s, for planning
@@ -44,8 +55,10 @@ class Args:
 def requested_maneuver(args: Args) -> Maneuver:
     """The maneuver that the arguments ask for. Raises ValueError for those that make none, by their own names."""
     for name in ("travel_deg", "elevation_deg", "start_travel_deg", "start_elevation_deg"):
-        if not isfinite(getattr(args, name)):
-            raise ValueError(f"{name} = {getattr(args, name)!r}: must be a finite number of degrees")
+        if not abs(getattr(args, name)) <= FARTHEST_DEG:
+            raise ValueError(
+                f"{name} = {getattr(args, name)!r}: must be at most {FARTHEST_DEG:g} degrees on either side"
+            )
     rig = find_rig(args.rig)
     if args.pitch_limit_deg is not None and not 0.0 < args.pitch_limit_deg < 90.0:
         raise ValueError(f"pitch_limit_deg = {args.pitch_limit_deg!r}: must be more than 0 and less than 90 degrees")
@@ -54,7 +67,8 @@ def requested_maneuver(args: Args) -> Maneuver:
         pitch_max = radians(args.pitch_limit_deg)
         pitch_min = -pitch_max
     u_min, u_max = (own if given is None else given for own, given in zip(rig.limits.u, (args.u_min, args.u_max)))
-    limits = Limits(u_min, u_max, pitch_min, pitch_max)
+    limits = Limits(u_min, u_max, pitch_min, pitch_max, slew=args.slew, **path_limits(args))
+    floor = None if args.floor is None else read_floor(args.floor)
     for name in ("start_elevation_deg", "elevation_deg"):
         point = (0.0, radians(getattr(args, name)))
         try:
@@ -70,7 +84,32 @@ def requested_maneuver(args: Args) -> Maneuver:
         duration=args.duration,
         limits=limits,
         rig=rig,
+        floor=floor,
     )
+
+
+def path_limits(args: Args) -> dict[str, float]:
+    """The limits on elevation and rates, in rad and rad/s. Raises ValueError by the arguments' own names."""
+    limits = {}
+    for name in ("elevation_min", "elevation_max", "travel_rate", "elevation_rate"):
+        value = getattr(args, f"{name}_deg")
+        if value is None:
+            continue
+        if not isfinite(value) or (name.endswith("rate") and value <= 0.0):
+            kind = "positive" if name.endswith("rate") else "finite"
+            raise ValueError(f"{name}_deg = {value!r}: must be a {kind} number")
+        limits[name] = radians(value)
+    return limits
+
+
+def read_floor(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Travel and elevation (N,) in rad of a line in space. Raises ValueError for a file that holds none."""
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        return tuple(np.radians([float(row[name]) for row in rows]) for name in ("travel_deg", "elevation_deg"))  # type: ignore[return-value]
+    except (KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"floor = {str(path)!r}: must have the columns travel_deg and elevation_deg") from error
 
 
 def plan_requested(maneuver: Maneuver, args: Args) -> Trajectory:
@@ -81,7 +120,7 @@ def plan_requested(maneuver: Maneuver, args: Args) -> Trajectory:
         raise ValueError(
             f"reserve = {args.reserve!r}: only the fastest plan has one; tighter limits are for the others"
         )
-    return plan(maneuver, args.method, args.time_limit)
+    return plan(maneuver, args.method, args.time_limit, objective=args.objective)
 
 
 def main(args: Args | None = None) -> None:

@@ -129,3 +129,35 @@ def test_help_names_every_argument():
     assert (child.returncode, child.stderr) == (0, "")
     for argument in fields(Args):
         assert f"--{argument.name.replace('_', '-')}" in child.stdout
+
+
+def test_the_limits_on_the_way_are_those_of_the_plan(tmp_path):
+    (tmp_path / "floor.csv").write_text("travel_deg,elevation_deg\n-360,5\n80,5\n120,-4\n160,5\n720,5\n")
+    args = Args(
+        travel_deg=180.0, duration=9.0, travel_rate_deg=50.0, floor=tmp_path / "floor.csv", out=tmp_path / "p.npz"
+    )
+    plan_maneuver.run(args)
+    flown = Trajectory.load(args.out)
+    assert np.degrees(np.abs(flown.x[1]).max()) <= 50.0 + 1e-3
+    floor_deg = np.interp(np.degrees(flown.x[0]), [-360, 80, 120, 160, 720], [5, 5, -4, 5, 5])
+    assert (np.degrees(flown.x[2]) <= floor_deg + 1e-3).all()  # elevation is positive downwards
+
+
+@pytest.mark.parametrize(
+    ("changes", "named"),
+    [
+        ({"travel_deg": 1e300}, "travel_deg"),
+        ({"travel_rate_deg": 0.0}, "travel_rate_deg"),
+        ({"elevation_min_deg": np.nan}, "elevation_min_deg"),
+        ({"slew": -1.0}, "slew"),
+    ],
+)
+def test_limits_that_make_no_sense_are_refused_by_name(changes, named, tmp_path):
+    with pytest.raises(ValueError, match=f"^{named} = "):
+        plan_maneuver.requested_maneuver(Args(**changes))
+
+
+def test_a_floor_without_its_columns_is_refused(tmp_path):
+    (tmp_path / "floor.csv").write_text("a,b\n1,2\n")
+    with pytest.raises(ValueError, match=r"^floor = .*travel_deg and elevation_deg"):
+        plan_maneuver.requested_maneuver(Args(floor=tmp_path / "floor.csv"))
