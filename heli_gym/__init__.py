@@ -1,6 +1,6 @@
 """The 3-DOF laboratory helicopter of Kiefer, Graichen and Kugi as a Gymnasium environment.
 
-Importing it registers `Heli3DOF-v0`. It imports nothing else of ours; `heli_gym.baselines` and `heli_gym.train` build
+Importing this package registers `Heli3DOF-v0`. It imports neither `heli_gym.baselines` nor `heli_gym.train`; both build
 on it.
 """
 
@@ -78,7 +78,7 @@ register(
     vector_entry_point="heli_gym.vector_env:Heli3DOFVectorEnv",
 )
 
-# The environments load the compiler, which takes as long as all else: when they are first asked for.
+# Importing the environments loads the compiler, half of the import time: postponed until their first use.
 LAZY = {"Heli3DOFEnv": "env", "find_reference": "env", "Heli3DOFVectorEnv": "vector_env"}
 
 

@@ -1,6 +1,6 @@
-"""How every command begins and ends: its arguments, and one line instead of a traceback.
+"""Shared entry and exit of all commands: argument parsing, exit status, and one line instead of a traceback.
 
-Exit status 0: done. 1: the operating system, or a solver, gave up. 2: the input was refused. 130: Ctrl-C.
+Exit status 0: success. 1: failure of the operating system or of a solver. 2: invalid input. 130: Ctrl-C.
 """
 
 import contextlib
@@ -36,11 +36,11 @@ COMMANDS = {
     "heli-train": "heli_gym.train.train",
     "heli-tune": "heli_gym.baselines.commands.tune",
 }
-IMPORTED_AS = {"pygame-ce": "pygame", "pillow": "PIL"}  # distributions whose modules are called otherwise
+IMPORTED_AS = {"pygame-ce": "pygame", "pillow": "PIL"}  # distributions with another module name
 
 
 class CommandError(SystemExit):
-    """Ends a command with a status, its line having been printed on standard error."""
+    """End of a command with an exit status, raised after its line has been printed on standard error."""
 
     def __init__(self, line: str, status: int) -> None:
         super().__init__(line)
@@ -48,7 +48,7 @@ class CommandError(SystemExit):
 
 
 def __getattr__(name: str) -> Callable[[], None]:
-    """The entry point of a command, `plan` for `heli-plan`: imports its module only inside `command`."""
+    """Return the entry point of a command, `plan` for `heli-plan`, which imports its module inside `command`."""
     program = f"heli-{name.replace('_', '-')}"
     if program not in COMMANDS:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
@@ -56,7 +56,7 @@ def __getattr__(name: str) -> Callable[[], None]:
 
 
 def run(program: str) -> None:
-    """Run a command, whatever of it is installed."""
+    """Run a command; a missing extra ends it with one line."""
     with command(program):
         print_version(program, sys.argv[1:])
         importlib.import_module(COMMANDS[program]).main()
@@ -64,16 +64,16 @@ def run(program: str) -> None:
 
 @contextlib.contextmanager
 def command(program: str) -> Iterator[None]:
-    """What a command does, ended by one line on standard error and a status where it cannot go on.
+    """Context of a command: turn an exception in it into one line on standard error and an exit status.
 
     Raises `CommandError`, a SystemExit: status 2 for ValueError and missing packages, 1 for OSError, RuntimeError and
-    MemoryError, 130 for KeyboardInterrupt, whose argument, if it has one, says what was done.
+    MemoryError, 130 for KeyboardInterrupt, whose argument, if any, is printed as the reason.
     """
     prepare_output()
     try:
         yield
         flush_output()
-    except BrokenPipeError:  # whoever read the output has seen enough
+    except BrokenPipeError:  # the reader of the output has closed it, as `head` does
         discard_output()
         raise CommandError(f"{program}: broken pipe", 1) from None
     except KeyboardInterrupt as error:
@@ -95,12 +95,12 @@ def command(program: str) -> Iterator[None]:
 
 
 def refuses(error: Exception) -> bool:
-    """Whether an exception that is no ValueError refuses an input: a maneuver, a missing library, a damaged file."""
+    """Whether an exception other than ValueError means bad input: a maneuver, a missing library, a damaged file."""
     return type(error).__name__ in ("InfeasibleManeuver", "DependencyNotInstalled", "SafetensorError", "BadZipFile")
 
 
 def end(program: str, reason: str, status: int) -> NoReturn:
-    """Print why a command ends, in one line, and end it."""
+    """Print the reason in one line on standard error, then raise CommandError with the status."""
     line = f"{program}: {' '.join(reason.split())}"
     try:
         flush_output()
@@ -112,13 +112,13 @@ def end(program: str, reason: str, status: int) -> NoReturn:
 
 
 def describe(error: OSError) -> str:
-    """The file and what the operating system says of it."""
+    """The file name and the operating system's message."""
     reason = error.strerror or str(error)
     return reason if error.filename is None else f"{os.fsdecode(error.filename)}: {reason}"
 
 
 def missing(error: ImportError) -> str:
-    """Which extra of the package brings what is missing."""
+    """Message that names the missing package and the extra that installs it."""
     module = (error.name or "").partition(".")[0]
     for requirement in metadata.requires("heli-gym") or ():
         name, _, condition = requirement.partition(";")
@@ -130,8 +130,8 @@ def missing(error: ImportError) -> str:
 
 
 def parse(arguments: type[Args], program: str, description: str | None = None) -> Args:
-    """The arguments of the command line, by tyro; `--version` and what tyro refuses end the command."""
-    tyro = importlib.import_module("tyro")  # an extra brings it
+    """Parse the command line with tyro; `--version` and invalid arguments end the command."""
+    tyro = importlib.import_module("tyro")  # optional dependency
     print_version(program, sys.argv[1:])
     complaint = io.StringIO()
     try:
@@ -141,13 +141,13 @@ def parse(arguments: type[Args], program: str, description: str | None = None) -
         if error.code != 2:
             raise
         lines = [line.strip("│╭╮╰╯─|+-— ") for line in complaint.getvalue().splitlines()]
-        # a box: its title, perhaps a rule, the reason, and after another rule what would have been allowed
+        # tyro prints a box: title, optional rule, reason, and after another rule the allowed values
         parts = [" ".join(part) for rule, part in groupby(lines[1:], lambda line: not line) if not rule]
         end(program, f"{parts[0] if parts else 'bad arguments'}; see {program} --help", 2)
 
 
 def print_version(program: str, arguments: list[str]) -> None:
-    """Print the version and end, if that is what the arguments are."""
+    """Print the version and end the command if the only argument is `--version`."""
     if "--version" in arguments:
         print(f"{program} {metadata.version('heli-gym')}")
         flush_output()
@@ -155,7 +155,7 @@ def print_version(program: str, arguments: list[str]) -> None:
 
 
 def prepare_output() -> None:
-    """Make standard output one that can be written to: closed, it is discarded; what it cannot encode is replaced."""
+    """Make standard output writable: discard it if it is closed; replace characters that it cannot encode."""
     for name in ("stdout", "stderr"):
         stream = getattr(sys, name)
         if stream is None:
@@ -165,19 +165,19 @@ def prepare_output() -> None:
 
 
 def flush_output() -> None:
-    """Write what is buffered, so that a full disk or a closed pipe is noticed while it can be said."""
+    """Flush standard output, so that a full disk or a closed pipe is noticed while it can still be reported."""
     if sys.stdout is not None:
         sys.stdout.flush()
 
 
 def discard_output() -> None:
-    """Let standard output go nowhere, so that Python, at its end, does not fail once more."""
+    """Redirect standard output to the null device, so that Python's flush at exit does not fail again."""
     with contextlib.suppress(OSError, ValueError, AttributeError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def announce_replaced(program: str, *paths: Path) -> None:
-    """Say, on standard error, which earlier results the command is going to replace."""
+    """List on standard error the existing files that the command will replace."""
     earlier = [str(path) for path in paths if path.exists()]
     if earlier:
         with contextlib.suppress(OSError, ValueError, AttributeError):

@@ -1,4 +1,4 @@
-"""Compilation of the equations: as they stand, for one dtype, cached on disk while they stay the same."""
+"""Compile unmodified Python equations for one dtype; the disk cache is valid until a function or constant changes."""
 
 import logging
 import warnings
@@ -11,20 +11,19 @@ from typing import Any
 import numba
 import numpy as np
 
-# not "reassoc", which would undo the reduction in `fast_math.sine`
+# without "reassoc", which would undo the argument reduction in `fast_math.sine`
 FAST = {"contract", "nnan", "nsz", "arcp"}
 
 
 class Compiler:
-    """Compiles functions together with all that they call, for numbers of one dtype.
+    """Compile functions, together with the functions that they call, for numbers of one dtype.
 
     Args:
-        dtype: of all literals, which numba would otherwise take for double precision.
-        names: meanings of certain names, such as `sin`, in all functions.
-        loops: functions that are compiled on their own, so that their loops become SIMD before they meet others; all
-            others are inlined.
-        careful: functions that must not assume that all values are finite.
-        fast: LLVM's fast-math flags for all others.
+        dtype: type of all literals, which numba would otherwise compile in double precision.
+        names: values to which global names, for example `sin`, are bound in all functions.
+        loops: functions compiled separately, so that LLVM vectorises their loops first; all others are inlined.
+        careful: functions compiled without fast-math, because their values may be NaN or infinite.
+        fast: LLVM's fast-math flags for all other functions.
     """
 
     def __init__(
@@ -39,10 +38,10 @@ class Compiler:
         self.known: dict[Callable, Callable] = {}
 
     def entry(self, function: Any, signature: Any = None, nogil: bool = False) -> Callable:
-        """Compile a function that Python calls, cached on disk; with a signature, other arguments are a TypeError.
+        """Compile a function for calls from Python, cached on disk; a signature makes other arguments a TypeError.
 
-        With `nogil`, other Python threads run meanwhile. Numba caches what it compiles by the function's file and the
-        values in its closure, so that a digest of all that is called is put into that.
+        With `nogil`, other Python threads run during a call. Numba's cache key is the function's file and the values in
+        its closure; a digest of all called functions in that closure makes the key change with them.
         """
         version = self.version(function)
 
@@ -62,7 +61,7 @@ class Compiler:
         return compiled
 
     def version(self, function: Any) -> str:
-        """A digest of what is compiled: a function, all that it calls, the numbers that these use, and how."""
+        """Digest of a function, the functions that it calls, their constants, and the compiler options."""
         found: dict[Any, tuple] = {}
         waiting = [function]
         while waiting:
@@ -81,7 +80,7 @@ class Compiler:
         return sha256(repr(whole).encode()).hexdigest()
 
     def part(self, function: Any) -> Callable:
-        """A function that compiled functions call."""
+        """Compile a function for calls from compiled functions."""
         if function not in self.known:
             code = function.__code__.replace(co_consts=self.of_dtype(function.__code__.co_consts))
             copy = FunctionType(code, self.meanings(function), function.__name__, function.__defaults__)
@@ -92,25 +91,25 @@ class Compiler:
         return self.known[function]
 
     def meanings(self, function: Any) -> dict[str, Any]:
-        """The globals of a function: what it calls compiled, its numbers of the dtype."""
+        """Globals of a function, with called functions compiled and numbers converted to the dtype."""
         used = self.used(function)
         changed = {k: self.part(v) if isinstance(v, FunctionType) else self.of_dtype(v) for k, v in used.items()}
         return {**function.__globals__, **changed}
 
     def used(self, function: Any) -> dict[str, Any]:
-        """The globals that a function uses, sorted by name."""
+        """Globals that a function uses, sorted by name."""
         known = {**function.__globals__, **self.names}
         return {name: known[name] for name in sorted(function.__code__.co_names) if name in known}
 
     def of_dtype(self, constant: Any) -> Any:
-        """A number, or a tuple of numbers, of the dtype; anything else as it is."""
+        """Convert a number or a tuple of numbers to the dtype; return anything else unchanged."""
         if isinstance(constant, tuple) and not hasattr(constant, "_fields"):
             return tuple(map(self.of_dtype, constant))
         return self.dtype(constant) if type(constant) is float else constant
 
 
 class Cache:
-    """Numba's cache of a function, whose failures cost a compilation instead of the flight: a warning tells of them."""
+    """Numba's cache of a function; where reading or writing fails, it warns and the function is compiled again."""
 
     def __init__(self, cache: Any) -> None:
         self.cache = cache
@@ -119,7 +118,7 @@ class Cache:
         return getattr(self.cache, name)
 
     def load_overload(self, *arguments: Any) -> Any:
-        """Load a compiled function; None where there is none, or none that can be read."""
+        """Load a compiled function; None if the cache has no readable one."""
         try:
             loaded = self.cache.load_overload(*arguments)
         except Exception as error:  # numba unpickles the file: a damaged one raises anything
@@ -130,7 +129,7 @@ class Cache:
         return loaded
 
     def save_overload(self, *arguments: Any) -> None:
-        """Save a compiled function, if that is possible."""
+        """Save a compiled function; warn if that fails."""
         try:
             self.cache.save_overload(*arguments)
         except Exception as error:  # a full or read-only disk, or a damaged index
@@ -138,7 +137,7 @@ class Cache:
 
 
 def cache_on_disk(compiled: Any) -> None:
-    """Have numba cache a compiled function on disk, if there is a place where it can."""
+    """Let numba cache a compiled function on disk; warn if it finds no writable folder."""
     try:
         compiled.enable_caching()
     except RuntimeError as error:  # numba finds no folder that it may write to
@@ -150,12 +149,12 @@ def cache_on_disk(compiled: Any) -> None:
 
 @cache
 def announce_compilation() -> None:
-    """Tell, once in a process, that it compiles."""
+    """Print once per process that compilation is running."""
     logging.getLogger("heli_gym").warning("heli_gym: compiling, about 10 s; later runs load what is compiled")
 
 
 def warn_uncached(reason: str) -> None:
-    """Warn, once in a process, that compiled functions are not cached."""
+    """Warn once per process that compiled functions are not cached."""
     if not warned:
         warned.append(reason)
         message = f"the cache of compiled functions {reason}; they are compiled anew in each process"
@@ -166,17 +165,17 @@ warned: list[str] = []
 
 
 def contents(code: CodeType) -> tuple:
-    """What a code object says, wherever it is in memory."""
+    """Contents of a code object, independent of its address in memory."""
     constants = [contents(value) if isinstance(value, CodeType) else repr(value) for value in code.co_consts]
     return code.co_code, constants, code.co_names
 
 
 @cache
 def compiler(fast: bool = False) -> Compiler:
-    """The compiler in double precision that modules share, so that each function is compiled once."""
+    """Double-precision compiler shared by all modules, so that each function is compiled once."""
     return Compiler(fast=FAST if fast else ())
 
 
 def jit_cached(function: Any, fast: bool = False) -> Callable:
-    """Compile a function with all that it calls, and cache it on disk; `fast` assumes that nothing is NaN."""
+    """Compile a function with all that it calls, cached on disk; `fast` assumes that no value is NaN."""
     return compiler(fast).entry(function)

@@ -27,16 +27,16 @@ from heli_gym.simulation.layout import COMMAND, LAST, MEASURED, N_OUTPUTS_SENSED
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
 
-ONLY = np.zeros(1, int)  # the only helicopter of its simulation
+ONLY = np.zeros(1, int)  # index of the only helicopter of its simulation
 STATE, MEASUREMENT, VOLTAGE = (
     slice(X, X + 6),
     slice(MEASURED, MEASURED + 6),
     slice(COMMAND, COMMAND + 2),
-)  # of what is told
+)  # rows of the outputs
 REFERENCES = Path(__file__).parent / "references"
-LONGEST = 3600.0  # s, of a reference
-LARGEST_VOLTAGE = 1000.0  # V, of an amplifier
-PERIODS = (1e-4, 0.05)  # s; up to the latter, one Runge-Kutta step through (3) is accurate to 1e-7
+LONGEST = 3600.0  # s, largest duration of a reference
+LARGEST_VOLTAGE = 1000.0  # V, largest limit of an amplifier
+PERIODS = (1e-4, 0.05)  # s, control periods; one Runge-Kutta step of 0.05 s through (3) is accurate to 1e-7
 
 
 @overload
@@ -44,9 +44,9 @@ def find_reference(reference: str | Trajectory) -> Trajectory: ...
 @overload
 def find_reference(reference: str | Trajectory | Sampler) -> Trajectory | Sampler: ...
 def find_reference(reference: str | Trajectory | Sampler) -> Trajectory | Sampler:
-    """A reference by the name of a packaged one, by the path of an .npz file, or the trajectory or sampler itself.
+    """Return a reference by the name of a packaged one or the path of an .npz file, or the argument itself.
 
-    Raises ValueError for an unknown name, or a file that holds no trajectory.
+    Raises ValueError for an unknown name or a file that holds no trajectory.
     """
     if isinstance(reference, Trajectory):
         _check_duration(reference, reference)
@@ -57,7 +57,7 @@ def find_reference(reference: str | Trajectory | Sampler) -> Trajectory | Sample
     path = Path(reference) if str(reference).endswith(".npz") else REFERENCES / f"{reference}.npz"
     try:
         exists = path.is_file()
-    except OSError:  # no name that a file could have
+    except OSError:  # the name is no valid file name
         exists = False
     if not exists:
         names = ", ".join(sorted(repr(known.stem) for known in REFERENCES.glob("*.npz")))
@@ -79,14 +79,14 @@ def _check_duration(name: Any, reference: Trajectory) -> None:
 
 
 def is_packaged(reference: object) -> bool:
-    """Whether a reference is given by the name of a packaged one."""
+    """Whether a reference is the name of a packaged one."""
     return isinstance(reference, str) and not reference.endswith(".npz")
 
 
 def reference_for(reference: str | Trajectory, rig: str | Rig, force: bool = False) -> Trajectory:
-    """A reference by its name or file, for a rig: a packaged one planned anew where the rig cannot fly it.
+    """Return a reference, by its name or file, for a rig; a packaged one is planned again if the rig cannot fly it.
 
-    Raises ValueError for a plan for another rig unless forced, which takes it as one for this rig.
+    Raises ValueError for a plan for another rig, unless `force` relabels it as one for this rig.
     """
     rig, found = find_rig(rig), find_reference(reference)
     if force and not is_packaged(reference) and not same_dynamics(found.rig, rig):
@@ -101,48 +101,48 @@ class Heli3DOFEnv(gym.Env):
     A laboratory helicopter with three degrees of freedom: an arm that turns about a vertical axis (travel) and a
     horizontal one (elevation) carries a counterweight at one end and, at the other, a body with two fans that turns
     about the arm (pitch). Pitch tilts the thrust and so drives the travel: three angles, two voltages, an
-    underactuated system. It tracks a reference: by default the 360 degree travel rotation in 10 s of
+    underactuated system. The task is to track a reference, by default the 360 degree travel rotation in 10 s of
     Kiefer, Graichen and Kugi, "Trajectory tracking of a 3DOF laboratory helicopter under input and state
     constraints" (IEEE Transactions on Control Systems Technology 18(4), 2010), planned within 1 to 11 V and
     50 degrees of pitch. Equation numbers are the paper's.
 
     Four plants:
 
-    | Plant     | What it is                                                                                |
+    | Plant     | Model                                                                                     |
     |-----------|-------------------------------------------------------------------------------------------|
-    | `nominal` | (3) with the thrust map (2), exactly                                                      |
+    | `nominal` | exactly (3) with the thrust map (2)                                                       |
     | `lab`     | (3) with rotor lag, friction, thrust loss, one period of delay, encoders, estimated rates |
     | `rigid`   | the full rigid body in one of two variants, with the same actuators, friction and sensors |
-    | `fleet`   | rigs as 15 measured flights show them, with their thrust maps, delays, zeros and a table   |
+    | `fleet`   | rigs from 15 measured flights, with their thrust maps, delays, sensor zeros and a table   |
 
-    `lab`, `rigid` and `fleet` are drawn anew in every episode, the first two from ranges of published models and data
-    of such rigs. Only travel damping, published from 0.017 to 0.48 1/s, ends at 0.20: at the greatest travel rate of
-    the paper's plan, a tilt of 50 degrees outweighs 0.34 1/s at the plan's elevation and 0.30 1/s level, and from
-    0.25 1/s on, following the plan takes more than the amplifier's 12 V. The integrator is Runge-Kutta of order four:
-    one step per control period on `nominal`, steps of 10 ms at most on the others.
+    Every episode draws the parameters of `lab`, `rigid` and `fleet`; the ranges of the first two are from published
+    models and data of this kind of rig. The exception is travel damping, published from 0.017 to 0.48 1/s but drawn up
+    to 0.20: at the largest travel rate of the paper's plan, a tilt of 50 degrees balances 0.34 1/s at the plan's
+    elevation and 0.30 1/s level, and from 0.25 1/s on, tracking the plan exceeds the amplifier's 12 V. The integrator
+    is Runge-Kutta of order four: one step per control period on `nominal`, steps of at most 10 ms on the others.
 
     ## Action Space
 
-    A `Box(-1, 1, (2,), float32)`: the voltages of the two fans. Zero is the voltage at which the rig hovers with its
-    arm level, -1 and 1 are the amplifier's limits, and between these the voltage is linear on either side. Outside,
-    the amplifier saturates. Whatever is not two finite real numbers is a `ValueError`. `to_voltage` and `to_action` of
-    the environment convert.
+    A `Box(-1, 1, (2,), float32)`: the scaled voltages of the two fans. Action 0 is the voltage at which the rig hovers
+    with its arm level, -1 and 1 are the amplifier's limits; the voltage is linear from -1 to 0 and from 0 to 1. Actions
+    outside saturate. An action that is not two finite real numbers raises `ValueError`. The methods `to_voltage` and
+    `to_action` convert.
 
     | Num | Action           | Min | Max | Voltage at -1 | Voltage at 0 | Voltage at 1 |
     |-----|------------------|-----|-----|---------------|--------------|--------------|
     | 0   | front fan, `u_f` | -1  | 1   | 0 V           | 7.893 V      | 12 V         |
     | 1   | back fan, `u_b`  | -1  | 1   | 0 V           | 7.893 V      | 12 V         |
 
-    The rig is the argument `rig`, or a plant that has coefficients of its own. Where hover is not within the limits of
-    the amplifier by a twentieth of their range, zero is the middle between them.
+    The hover voltage is that of the argument `rig`, or of a plant with its own coefficients. If it is closer to a limit
+    of the amplifier than a twentieth of the range, action 0 is the middle of the range.
 
     ## Observation Space
 
     A `Box` of 48 float32 values, the same for every plant, reference, control period and limit: the measured tracking
     error, the last voltages, then the reference and its nominal voltages now and 0.1, 0.2, 0.4 and 0.8 s ahead, and the
-    remaining time, each in the unit of the table. On the nominal plant that makes the task Markov. Entries saturate at
-    10 units, which no flight worth continuing reaches: at 10 rad of travel error, for instance, or 5 rad/s of elevation
-    rate. All entries are within -10 and 10, the remaining time within 0 and 10.
+    remaining time, each in the unit of the table. On the nominal plant, the task is then a Markov decision process.
+    Entries saturate at 10 units, far beyond a useful flight: at 10 rad of travel error, for example, or 5 rad/s of
+    elevation rate. All entries are within -10 and 10, the remaining time within 0 and 10.
 
     | Num    | Observation                                                        | Unit       |
     |--------|--------------------------------------------------------------------|------------|
@@ -153,7 +153,7 @@ class Heli3DOFEnv(gym.Env):
     | 4      | pitch minus reference                                              | 0.5 rad    |
     | 5      | pitch rate minus reference                                         | 2 rad/s    |
     | 6-7    | last voltages (front, back), minus 6 V                             | 6 V        |
-    | 8-12   | reference state now, without the travel: in the order of 1-5       | as 1-5     |
+    | 8-12   | reference state now, without the travel, in the order of 1-5       | as 1-5     |
     | 13-14  | nominal voltages (front, back) in the coming period, minus 6 V     | 6 V        |
     | 15     | travel of the reference from now to 0.1 s ahead                    | 1 rad      |
     | 16-22  | the same as 8-14, 0.1 s ahead                                      | as 8-14    |
@@ -162,38 +162,38 @@ class Heli3DOFEnv(gym.Env):
     | 39-46  | the same, 0.8 s ahead                                              | as 15-22   |
     | 47     | remaining time                                                     | 10 s       |
 
-    `info["state"]` is the true state (44), `info["measurement"]` what a controller may use (on the nominal plant the
-    same), `info["time"]` the time in s, `info["voltage"]` the voltages commanded in the last period, within the
-    amplifier's limits, and `info["cost"]` the excess of these and of the pitch over the limits that the reference was
-    planned under, in widths of these limits times seconds; both are zero after a reset. The keys are always the same,
-    and the values numbers. The attribute `drawn_plant` is the plant of the episode, for analysis only.
+    `info["state"]` is the true state (44), `info["measurement"]` the measured state, for controllers (on the nominal
+    plant the true one), `info["time"]` the time in s, `info["voltage"]` the voltages commanded in the last period,
+    within the amplifier's limits, and `info["cost"]` the excess of voltages and pitch over the limits of the
+    reference's plan, in limit widths times seconds; voltage and cost are zero after a reset. The keys are always the
+    same, and the values are numbers. The attribute `drawn_plant` is the plant of the episode, for analysis only.
 
     ## Rewards
 
     `control_period / (1 + e² + d²)` per step, where `e²` is the sum of the squared tracking errors, each in units of
     its tolerance, and `d²` the sum of the squared voltage deviations from the nominal ones, in units of 6 V. The
     tolerances are 3 degrees in travel and elevation, 6 degrees in pitch, and 6, 6 and 30 degrees/s in the rates.
-    A return thus counts seconds flown on the reference, 10 at best, and flying on always pays.
+    A return thus counts seconds flown on the reference, 10 at best; continuing a flight always increases it.
 
     ## Starting State
 
-    The reference's start, at rest but for `elevation-sine`. With `start_spread_deg`, each of the three angles is drawn
-    uniformly within that distance of it, the pitch within its limit. With `random_start`, it is the state at a random
-    time of the maneuver instead, and what is left of the maneuver is flown. `reset(options={"state": x})` starts at the
-    state x (6,) instead, within 1 rad and 1 rad/s of the reference's start; `reset(options={"plant": plant})` flies
-    another plant in this episode.
+    The start of the reference, at rest except for `elevation-sine`. With `start_spread_deg`, each of the three angles
+    is drawn uniformly within that distance of it, and the pitch within its limit. With `random_start`, the episode
+    starts at a random time of the maneuver, in the reference's state there, and flies the rest of the maneuver.
+    `reset(options={"state": x})` starts at the state x (6,), within 1 rad and 1 rad/s of the reference's start;
+    `reset(options={"plant": plant})` flies another plant in this episode.
 
     ## Episode End
 
-    Terminated when the pitch leaves `±pitch_limit`. Elevation has no stop: neither a floor nor a bound ends a flight or
-    holds the arm. Truncated when the maneuver is over; `spec.max_episode_steps` is the number of control periods it
-    takes. `info["is_success"]` is true in the last step of a maneuver that was flown to its end, where the true state
-    is within the tolerances of Rewards, angles and rates alike, and false in all other steps.
+    Terminated when the pitch leaves `±pitch_limit`. Elevation has no limit that ends a flight; only a plant with a
+    table stops the arm. Truncated at the end of the maneuver; `spec.max_episode_steps` is its number of control
+    periods. `info["is_success"]` is true in the last step of a maneuver flown to its end if the true state is within
+    the tolerances of Rewards, angles and rates alike, and false in all other steps.
 
-    That asks for the reference's pitch as well, which fits a reference that ends at rest. Where one ends in motion, as
-    "elevation-sine" does, travel damping has to be outweighed by more tilt than the reference has: up to 8 degrees on
-    `lab`, and more than the tolerance of 6 on a quarter of its draws. Success is then only for a policy that lets go of
-    the travel in time, and what follows it closely succeeds on about half of the draws.
+    Success includes the reference's pitch, which suits a reference that ends at rest. "elevation-sine" ends in motion:
+    travel damping then takes up to 8 degrees more tilt than the reference on `lab`, and more than the tolerance of 6
+    degrees on a quarter of its draws. A policy that tracks the travel to the end succeeds on about half of the draws;
+    for more, it must give up the travel shortly before the end.
 
     ## Arguments
 
@@ -201,27 +201,26 @@ class Heli3DOFEnv(gym.Env):
       sensors, thrust maps, a table, pushes, gusts, a moving mass, rotor faults and drift.
     - `reference`: the name of a packaged reference ("back-60-descend", "climb-15", "climb-7.5", "descend-7.5",
       "elevation-sine", "return-180", "take-off", "travel-180", "travel-360-slow", "travel-360", "travel-90-climb"), the
-      path of an .npz file that `Trajectory.save` wrote, or a `Trajectory`. Or a sampler, which draws one for every
-      episode: a callable that takes the episode's random generator, with a `duration` in s that none it draws exceeds,
-      such as `baselines.ManeuverSampler`. What is flown now is the attribute `reference`.
+      path of an .npz file from `Trajectory.save`, a `Trajectory`, or a sampler, which draws one for every episode: a
+      callable of the episode's random generator with an attribute `duration`, the longest one in s, for example
+      `baselines.ManeuverSampler`. The attribute `reference` is the reference of the current episode.
     - `control_period`: seconds between actions, 0.0001 to 0.05. The paper's is 0.001.
     - `pitch_limit`: rad, where the flight ends; the rig's by default.
     - `voltage_limits`: V, the amplifier's (min, max); the rig's by default.
     - `start_spread_deg`: degrees, see Starting State.
     - `random_start`: whether episodes start at a random time of the maneuver, rather than at its start.
     - `render_mode`: "human" for a window, in real time; "rgb_array" for pictures. Both need `heli-gym[render]`.
-    - `rig`: "paper" (by default, but for the plant "fleet"), "fleet", "quanser", "ntnu", the path of a .toml file, or a
-      `heli_gym.Rig`, whose coefficients and thrust map the plants fly that have none of their own. A packaged reference
-      is planned anew for a rig that cannot fly it; a plan for another rig is refused.
+    - `rig`: "paper" (the default, except for the plant "fleet"), "fleet", "quanser", "ntnu", the path of a .toml file,
+      or a `heli_gym.Rig`. Plants without their own coefficients and thrust map take those of the rig. A packaged
+      reference is planned again for a rig that cannot fly it; a plan for another rig raises `ValueError`.
 
-    All are plain values, so that a spec survives JSON, or objects. Bad ones raise a `ValueError` that names them, an
-    unknown one a `TypeError`.
+    Arguments are plain values, so that a spec survives JSON, or objects. An invalid value raises a `ValueError` that
+    names the argument, an unknown argument a `TypeError`.
 
     ## Version History
 
-    - v0: first version. Before its first release the space of observations depended on the arguments, with 49 entries
-      in rad, rad/s, V and s, and the action zero was the middle of the amplifier's limits; models trained then must be
-      trained again.
+    - v0: first version. Before the first release, the observation space depended on the arguments, with 49 entries in
+      rad, rad/s, V and s, and action 0 was the middle of the amplifier's limits; older models must be trained again.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["human", "rgb_array"], "render_fps": 50}  # noqa: RUF012
@@ -274,7 +273,7 @@ class Heli3DOFEnv(gym.Env):
     ) -> tuple[np.ndarray, dict[str, Any]]:
         """Start an episode; see Starting State for the options.
 
-        Raises ValueError for a seed or an option that is refused, which changes nothing.
+        Raises ValueError for an invalid seed or option; the environment is then unchanged.
         """
         options = checked_options(options, ("state", "plant"))
         generator, own_seed = (self.np_random, self.np_random_seed) if seed is None else seeded(seed)
@@ -303,18 +302,18 @@ class Heli3DOFEnv(gym.Env):
         }
 
     def step(self, action: ArrayLike) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
-        """Fly one control period with the voltages held.
+        """Fly one control period with constant voltages.
 
-        Raises ValueError for an action that is not two finite real numbers, which changes nothing.
+        Raises ValueError for an action that is not two finite real numbers; the environment is then unchanged.
         """
         if self.over:
             raise gym.error.ResetNeeded("the episode is over: call reset before step")
-        # What takes time here is Python's handling of arrays, not the flight: look at benchmarks/ before adding one.
+        # Array handling in Python dominates the run time, not the flight: run benchmarks/ before adding an array.
         observation, outputs = np.empty(task.OBSERVED, np.float32), np.empty(N_OUTPUTS_SENSED)
         try:
             front, back = action.tolist() if action.dtype.char in "fd" else two_numbers(action)  # type: ignore[union-attr]
             time, reward, cost, over = self.step_one(self.memory, front, back, observation, outputs)
-        except (AttributeError, TypeError, ValueError):  # no array of two numbers
+        except (AttributeError, TypeError, ValueError):  # not an array of two numbers
             time, reward, cost, over = self.step_one(self.memory, *two_numbers(action), observation, outputs)
         if over == NOT_FINITE:
             raise ValueError(f"action = {action!r}: must be two finite real numbers")
@@ -339,7 +338,7 @@ class Heli3DOFEnv(gym.Env):
 
     @property
     def spec(self) -> EnvSpec | None:  # type: ignore[override]
-        """Specification; `max_episode_steps` is the number of control periods of the maneuver, or of the longest."""
+        """Specification; `max_episode_steps` is the number of control periods of the (longest) maneuver."""
         return self._spec
 
     @spec.setter
@@ -347,18 +346,18 @@ class Heli3DOFEnv(gym.Env):
         self._spec = with_episode_steps(value, task.control_steps(self.source.duration, self.control_period))
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**vars(self), "renderer": None}  # a window cannot be copied, and is opened again where one is wanted
+        return {**vars(self), "renderer": None}  # a window cannot be copied; `render` opens a new one
 
     def to_voltage(self, action: ArrayLike) -> np.ndarray:
-        """Voltages (2,) in V of an action (2,)."""
+        """Convert an action (2,) to voltages (2,) in V."""
         return task.to_voltage(np.asarray(action, float), self.voltage_limits, self.hover_voltage)
 
     def to_action(self, u: ArrayLike) -> np.ndarray:
-        """The action (2,) of voltages (2,) in V, the inverse of `to_voltage`."""
+        """Convert voltages (2,) in V to an action (2,): the inverse of `to_voltage`."""
         return task.to_action(np.asarray(u, float), self.voltage_limits, self.hover_voltage)
 
     def render(self) -> np.ndarray | None:
-        """The helicopter now: a picture (720, 960, 3), uint8, or None and a window, as the render mode says.
+        """Draw the helicopter: return a picture (720, 960, 3), uint8, or draw in a window and return None.
 
         Raises gymnasium.error.DependencyNotInstalled without pygame.
         """
@@ -382,7 +381,7 @@ class Heli3DOFEnv(gym.Env):
             self.renderer = None
 
     def _simulation(self, plant: Plant) -> Simulation:
-        """Of one helicopter of this plant."""
+        """Simulation of one helicopter of this plant."""
         return Simulation(
             [plant],
             [self.source],
@@ -395,7 +394,7 @@ class Heli3DOFEnv(gym.Env):
         )
 
     def _start(self, value: Any, reference: Trajectory) -> np.ndarray | None:
-        """The state (1, 6) of an option; None without one."""
+        """Starting state (1, 6) from the option "state"; None without it."""
         if value is None:
             return None
         nominal, state = reference.x[:, 0], _numbers(value, 6)
@@ -409,24 +408,24 @@ class Heli3DOFEnv(gym.Env):
 
 
 def hover_voltage(plant: Plant, rig: Rig, voltage_limits: tuple[float, float]) -> np.ndarray:
-    """Voltages (2,) in V of the action zero: hover of the rig, or of a plant with coefficients of its own."""
+    """Voltages (2,) in V of the action zero: hover of the rig, or of a plant with its own coefficients."""
     if same_dynamics(rig, PAPER):
         return task.hover_voltage(design_parameters(plant), voltage_limits)
     return task.within_limits(rig.hover_voltage(), voltage_limits)
 
 
 def design_parameters(plant: Plant) -> HelicopterParameters:
-    """The parameters that actions are scaled by: the plant's where episodes do not draw them, else Table I."""
+    """Parameters for the scaling of actions: the plant's unless episodes draw them, else Table I."""
     numbers = plant.parameters
     return numbers if all(isinstance(number, Real) for number in numbers) else HelicopterParameters()
 
 
 class SeedError(gym.error.Error, ValueError):
-    """Refusal of a seed, in Gymnasium's type and in Python's."""
+    """Invalid seed; both Gymnasium's error and a ValueError."""
 
 
 def seeded(seed: Any) -> tuple[np.random.Generator, int]:
-    """A new random generator, and its seed. Raises SeedError unless the seed is a whole number, at least 0."""
+    """Return a new random generator and its seed. Raises SeedError unless the seed is a non-negative integer."""
     try:
         return np_random(int(seed) if isinstance(seed, np.integer) else seed)
     except gym.error.Error as error:
@@ -434,7 +433,7 @@ def seeded(seed: Any) -> tuple[np.random.Generator, int]:
 
 
 def checked_options(options: Any, names: Sequence[str]) -> dict[str, Any]:
-    """The options of a reset by name, None for those that are not given. Raises ValueError for others."""
+    """Options of a reset by name, None for missing ones. Raises ValueError for an unknown option."""
     if options is not None and not isinstance(options, Mapping):
         raise ValueError(f"options = {options!r}: must be a dictionary")
     given = dict(options or {})
@@ -445,7 +444,7 @@ def checked_options(options: Any, names: Sequence[str]) -> dict[str, Any]:
 
 @contextmanager
 def undone_on_error(simulation: Simulation, generators: Sequence[np.random.Generator]) -> Iterator[None]:
-    """Undo what was drawn for the next flights if the block raises: a refused reset changes nothing."""
+    """Restore generators and drawn references if the block raises, so that a failed reset changes nothing."""
     drawn, uniforms = dict(simulation.drawn), simulation.uniforms.copy()
     states = [generator.bit_generator.state for generator in generators]
     try:
@@ -458,12 +457,12 @@ def undone_on_error(simulation: Simulation, generators: Sequence[np.random.Gener
 
 
 def with_episode_steps(spec: EnvSpec | None, steps: int) -> EnvSpec | None:
-    """The specification with the length of an episode in it, where it has none."""
+    """Specification with `max_episode_steps` filled in if it is missing."""
     return spec if spec is None or spec.max_episode_steps is not None else replace(spec, max_episode_steps=steps)
 
 
 def render_state(simulation: Simulation, j: int) -> RenderState:
-    """What there is to draw of a helicopter of a simulation."""
+    """State, reference, limits and annotations of the helicopter j, for the renderer."""
     step, last, first = (int(simulation.rows(row, 1)[0, j]) for row in (STEP, LAST, REFERENCE_ROW))
     reference = simulation.reference_of(j)
     return RenderState(
@@ -481,7 +480,7 @@ def render_state(simulation: Simulation, j: int) -> RenderState:
 
 
 def two_numbers(action: Any) -> list[float]:
-    """The two numbers of an action. Raises ValueError if it is anything else."""
+    """Convert an action to two floats. Raises ValueError if it is anything else."""
     values = _numbers(action, 2)
     if values is None:
         raise ValueError(f"action = {action!r}: must be two finite real numbers")
@@ -489,7 +488,7 @@ def two_numbers(action: Any) -> list[float]:
 
 
 def real_array(values: Any) -> np.ndarray | None:
-    """The values as an array of floats; None unless they are real numbers: no truth values, text or objects."""
+    """Convert values to an array of floats; None unless they are real numbers (no booleans, text or objects)."""
     try:
         array = np.asarray(values)
     except (TypeError, ValueError, OverflowError):
@@ -498,7 +497,7 @@ def real_array(values: Any) -> np.ndarray | None:
 
 
 def _numbers(values: Any, count: int) -> list[float] | None:
-    """The values as so many finite floats; None if they are anything else."""
+    """Convert values to `count` finite floats; None if they are anything else."""
     array = real_array(values)
     if array is None or array.shape != (count,):
         return None
@@ -507,7 +506,7 @@ def _numbers(values: Any, count: int) -> list[float] | None:
 
 
 def _number(name: str, value: Any, unit: str, low: float, high: float) -> float:
-    """The value, if it is in [low, high]."""
+    """Return the value as a float. Raises ValueError unless it is a number in [low, high]."""
     if not isinstance(value, Real) or isinstance(value, bool) or not low <= value <= high:  # type: ignore[operator]
         raise ValueError(f"{name} = {value!r}: must be at least {low:g} and at most {high:g} {unit}")
     return float(value)

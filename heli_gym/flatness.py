@@ -1,7 +1,7 @@
-"""Differential flatness: travel and elevation are flat outputs of (3), from which all else follows without integration.
+"""Differential flatness: travel and elevation are flat outputs of (3) and determine states and inputs algebraically.
 
-Their accelerations determine the thrust vector, and so the pitch and v1, by (3a) and (3b); the pitch's acceleration
-determines v2, by (3c).
+By (3a) and (3b), their accelerations determine the thrust vector, hence pitch and v1; by (3c), the pitch acceleration
+determines v2.
 """
 
 from collections.abc import Callable
@@ -16,23 +16,23 @@ from heli_gym.parameters import Limits
 from heli_gym.rig import Rig
 from heli_gym.trajectory import Trajectory, concatenate
 
-# From 0 to 1 with four derivatives zero at both ends, so that pitch and its rate are, and the voltages those of hover.
+# Rises from 0 to 1 with four zero derivatives at both ends: pitch and its rate vanish there, and hover voltages hold.
 RISE = Polynomial([0.0, 0.0, 0.0, 0.0, 0.0, 126.0, -420.0, 540.0, -315.0, 70.0])
-ROUNDING = 1e-12  # N, by which a lift of zero may be missed
+ROUNDING = 1e-12  # N, tolerance of a zero lift
 AT_REST = 1e-9  # rad and rad/s, of rates and pitch
-SAMPLE_PERIOD = 0.01  # s, of what `replanned` returns
-STRETCH, STRETCHES = 1.1, 40  # by which a motion is slowed down until a rig can fly it, and how often at most
+SAMPLE_PERIOD = 0.01  # s, of the trajectory that `replanned` returns
+STRETCH, STRETCHES = 1.1, 40  # slow-down factor per attempt, and number of attempts
 
 Motion = Callable[[np.ndarray, float], tuple[np.ndarray, np.ndarray]]
 
 
 def invert_motion(t: np.ndarray, travel: np.ndarray, elevation: np.ndarray, limits: Limits, rig: Rig) -> Trajectory:
-    """The flight through (3) along travel and elevation: (3, K) each, with two derivatives, in rad and s.
+    """Trajectory of (3) along travel and elevation, each (3, K) with two derivatives, in rad and s.
 
-    The derivatives of the pitch, which v2 needs, are those of a spline through its values, so that t (K,) must be fine.
-    The limits are noted in the trajectory, not enforced.
+    The pitch derivatives in v2 are those of a spline through the pitch samples, so t (K,) must be a fine grid. The
+    limits are stored in the trajectory, not enforced.
 
-    Raises ValueError if the elevation falls faster than without thrust.
+    Raises ValueError if the elevation accelerates downwards faster than without thrust.
     """
     (q1, dq1, ddq1), (q2, dq2, ddq2) = travel, elevation
     zero = np.zeros_like(q1)
@@ -48,12 +48,12 @@ def invert_motion(t: np.ndarray, travel: np.ndarray, elevation: np.ndarray, limi
 
 
 def replanned(reference: Trajectory, rig: Rig) -> Trajectory:
-    """The same motion for another rig within its limits, slower where it must be.
+    """Plan the same motion for another rig within its limits; slow it down if the rig cannot fly it otherwise.
 
-    Where the reference starts and ends at rest, its legs from rest to rest become smooth polynomials of the flat
-    outputs; another motion keeps its shape. For a rig whose elevation is positive upwards, elevations change sign.
+    If the reference starts and ends at rest, each leg from rest to rest becomes a smooth polynomial of the flat
+    outputs; any other motion retains its shape. For a rig whose elevation is positive upwards, elevations change sign.
 
-    Raises ValueError if the rig cannot fly it at any of the speeds that are tried.
+    Raises ValueError if the rig cannot fly it at any of the speeds tried.
     """
     x = reference.x.copy()
     if rig.parameters.b2 > 0.0:
@@ -72,7 +72,7 @@ def replanned(reference: Trajectory, rig: Rig) -> Trajectory:
 
 
 def rise_between(start: np.ndarray, goal: np.ndarray) -> Motion:
-    """From rest to rest between angles (3,): travel and elevation (3, K) over a duration."""
+    """Rest-to-rest motion between angles (3,): travel and elevation, (3, K) each, over a duration in s."""
 
     def motion(t: np.ndarray, duration: float) -> tuple[np.ndarray, np.ndarray]:
         rise = np.stack([RISE.deriv(n)(t / duration) / duration**n for n in range(3)])
@@ -85,7 +85,7 @@ def rise_between(start: np.ndarray, goal: np.ndarray) -> Motion:
 
 
 def shape_of(times: np.ndarray, x: np.ndarray) -> Motion:
-    """The travel and elevation of states (6, K) at times (K,), at any speed."""
+    """Motion with the travel and elevation of the states (6, K) at the times (K,), scaled to any duration."""
     splines = [make_interp_spline(times / times[-1], x[row], k=5) for row in (0, 2)]
 
     def motion(t: np.ndarray, duration: float) -> tuple[np.ndarray, np.ndarray]:
@@ -100,7 +100,7 @@ def shape_of(times: np.ndarray, x: np.ndarray) -> Motion:
 
 
 def slowed(motion: Motion, duration: float, rig: Rig) -> Trajectory:
-    """The motion in this duration in s or, where that leaves the rig's limits, in a longer one."""
+    """Trajectory of the motion in this duration in s or, if that exceeds the rig's limits, in a longer one."""
     (u_min, u_max), (pitch_min, pitch_max) = rig.limits.u, rig.limits.pitch
     for _ in range(STRETCHES):
         t = np.linspace(0.0, duration, 1 + max(round(duration / SAMPLE_PERIOD), 10))

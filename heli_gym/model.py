@@ -13,14 +13,14 @@ from numpy.typing import ArrayLike
 
 from heli_gym.parameters import HelicopterParameters
 
-TINY = 1e-30  # V, too little to change any voltage: keeps the sign of 0 V finite
+TINY = 1e-30  # V, prevents 0 / 0 at 0 V; too small to change any voltage
 STATE_NAMES = ("travel", "travel rate", "elevation", "elevation rate", "pitch", "pitch rate")
 
 
 def thrust(u: Any, parameters: HelicopterParameters = HelicopterParameters()) -> Any:
     """Equation (2): thrusts f in N of fans at the voltages u in V, element by element.
 
-    Its two cases are written as one, with |u|, so that the line serves whatever has an absolute value.
+    Its two cases are one expression in |u|, so that it accepts any type with an absolute value.
     """
     even, odd = parameters.k_plus + parameters.k_minus, parameters.k_plus - parameters.k_minus
     return 0.5 * (even * u + odd * abs(u)) * u
@@ -38,8 +38,8 @@ def voltage(f: ArrayLike, parameters: HelicopterParameters = HelicopterParameter
 def power_thrust(u: Any, k_plus: Any, k_minus: Any, exponent: Any, dead_zone: Any, power: Callable = pow) -> Any:
     """Thrust in N of a rotor at the voltage u in V: k_plus or k_minus (N/V^exponent) times (|u| - dead_zone)^exponent.
 
-    Generalises (2): exponent 2 without a dead zone is that, exponent 1 a linear map. Free of branches, for the
-    kernels, which bring a `power` of their own.
+    Generalises (2): exponent 2 without a dead zone gives (2), exponent 1 a linear map. Free of branches, because the
+    kernels vectorise it with their own `power`.
     """
     excess = abs(u) - dead_zone
     magnitude = power(0.5 * (excess + abs(excess)), exponent)
@@ -60,8 +60,8 @@ def fan_thrusts(v: Any) -> tuple:
 def dynamics(x: Any, v: Any, parameters: HelicopterParameters, sin: Any = np.sin, cos: Any = np.cos) -> tuple:
     """Equation (3) with viscous friction: time derivative of the state x (6, ...) under the inputs v (2, ...) in N.
 
-    Takes whatever supports arithmetic, indexing aside: floats, arrays, complex numbers, CasADi
-    expressions, torch tensors; `sin` and `cos` must suit them.
+    Accepts any type with arithmetic: floats, arrays, complex numbers, CasADi expressions, torch tensors. `sin` and
+    `cos` must accept the same type.
     """
     _, dq1, q2, dq2, q3, dq3 = x
     v1, v2 = v
@@ -75,10 +75,9 @@ def dynamics(x: Any, v: Any, parameters: HelicopterParameters, sin: Any = np.sin
 def inverse_dynamics(
     x: Any, ddq2: Any, ddq3: Any, parameters: HelicopterParameters, sin: Any = np.sin, cos: Any = np.cos
 ) -> tuple:
-    """Invert (3b) and (3c): inputs v (2, ...) in N at which elevation and pitch accelerate so, in rad/s², at states x.
+    """Invert (3b) and (3c): inputs v (2, ...) in N for accelerations of elevation and pitch in rad/s², at states x.
 
-    `dynamics` is affine in v, so that three evaluations of it determine the inverse, whatever its terms are; it takes
-    the same kinds of numbers.
+    `dynamics` is affine in v, so three evaluations determine the inverse for any terms in it. Accepts the same types.
     """
     _, _, _, elevation, _, pitch = dynamics(x, (0.0, 0.0), parameters, sin, cos)
     _, _, _, elevation_1, _, pitch_1 = dynamics(x, (1.0, 0.0), parameters, sin, cos)
@@ -98,8 +97,8 @@ def thrust_vector(
 ) -> tuple:
     """Invert (3a) and (3b): components (v1 sin q3, v1 cos q3) in N of the thrust that accelerates travel and elevation.
 
-    The pitch of x is ignored. From evaluations of `dynamics` upright and at 90 degrees of pitch, between which a thrust
-    is a sum of these two; accelerations in rad/s².
+    Accelerations in rad/s²; the pitch of x is ignored. Evaluates `dynamics` at pitch 0 and 90 degrees, whose thrust
+    directions span the plane of all thrust vectors.
     """
     q1, dq1, q2, dq2, _, dq3 = x
     upright, tilted = (q1, dq1, q2, dq2, 0.0 * q2, dq3), (q1, dq1, q2, dq2, 0.0 * q2 + 0.5 * np.pi, dq3)
@@ -117,7 +116,7 @@ def thrust_vector(
 
 
 def solve_2x2(a: Any, b: Any, c: Any, d: Any, y1: Any, y2: Any) -> tuple:
-    """The solution (x1, x2) of a x1 + b x2 = y1, c x1 + d x2 = y2."""
+    """Solution (x1, x2) of a x1 + b x2 = y1 and c x1 + d x2 = y2."""
     determinant = a * d - b * c
     return (d * y1 - b * y2) / determinant, (a * y2 - c * y1) / determinant
 
@@ -125,7 +124,7 @@ def solve_2x2(a: Any, b: Any, c: Any, d: Any, y1: Any, y2: Any) -> tuple:
 def linearise(x: ArrayLike, v: ArrayLike, parameters: HelicopterParameters) -> tuple[np.ndarray, np.ndarray]:
     """Equations (47), (48): A (6, 6, ...) and B (6, 2, ...) of (3) about x (6, ...) and v (2, ...).
 
-    By complex steps through `dynamics`, exact to rounding: the Jacobians cannot drift from the model.
+    Complex steps through `dynamics` are exact to rounding and follow every change of the model.
     """
     x, v = np.asarray(x, dtype=float), np.asarray(v, dtype=float)
     n, step = len(x), 1e-30
@@ -141,16 +140,16 @@ def linearise(x: ArrayLike, v: ArrayLike, parameters: HelicopterParameters) -> t
 
 
 def hover_input(elevation: ArrayLike, parameters: HelicopterParameters) -> np.ndarray:
-    """Virtual input v (2, ...) in N that holds (3) at rest at an elevation in rad: (13) with no motion."""
+    """Virtual input v (2, ...) in N that holds (3) at rest at an elevation in rad: (13) without motion."""
     q2 = np.asarray(elevation, dtype=float)
     zero = np.zeros_like(q2)
     return np.stack(inverse_dynamics((zero, zero, q2, zero, zero, zero), 0.0, 0.0, parameters))
 
 
 def rk4_step(derivative: Callable, x: Any, inputs: tuple, dt: Any, *constants: Any) -> tuple:
-    """The state x (6, ...) dt seconds later under dx/dt = derivative(x, input, *constants).
+    """State (6, ...) dt seconds after x under dx/dt = derivative(x, input, *constants).
 
-    One Runge-Kutta step of order four. The inputs are those at its start, middle and end. Through (3), a step of 20 ms
+    One Runge-Kutta step of order four; `inputs` are the inputs at its start, middle and end. For (3), a step of 20 ms
     is accurate to 1e-9.
     """
     start, middle, end = inputs

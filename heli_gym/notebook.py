@@ -1,4 +1,4 @@
-"""How values show themselves in a notebook: a trajectory as a plot, a rendered frame as a picture."""
+"""Notebook display: a trajectory as a plot, a rendered frame as a picture."""
 
 import io
 import struct
@@ -13,18 +13,18 @@ if TYPE_CHECKING:
 
 
 class Picture(np.ndarray):
-    """An RGB array (height, width, 3), uint8, that a notebook shows as a picture."""
+    """RGB array (height, width, 3), uint8, that a notebook displays as a picture."""
 
     def _repr_png_(self) -> bytes | None:
         if self.ndim != 3 or self.dtype != np.uint8:
-            return None  # a part of a picture, or a result of arithmetic
+            return None  # a slice of a picture, or a result of arithmetic
         return png(np.asarray(self))
 
 
 def png(pixels: np.ndarray) -> bytes:
-    """A PNG file of an RGB array (height, width, 3), uint8."""
+    """Encode an RGB array (height, width, 3), uint8, as a PNG file."""
     height, width, _ = pixels.shape
-    lines = np.concatenate((np.zeros((height, 1), np.uint8), pixels.reshape(height, -1)), axis=1)  # filter 0: none
+    lines = np.concatenate((np.zeros((height, 1), np.uint8), pixels.reshape(height, -1)), axis=1)  # 0: no filter
 
     def chunk(kind: bytes, data: bytes) -> bytes:
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
@@ -39,7 +39,7 @@ def png(pixels: np.ndarray) -> bytes:
 
 
 def plot_trajectory(trajectory: "Trajectory") -> bytes | None:
-    """A PNG file of angles and voltages over time; None without matplotlib."""
+    """PNG file of angles and voltages over time; None without matplotlib."""
     try:
         from matplotlib.figure import Figure
     except ImportError:
@@ -64,7 +64,7 @@ def plot_trajectory(trajectory: "Trajectory") -> bytes | None:
 
 
 def short_repr(value: Any) -> str:
-    """The call that makes a dataclass, without the arguments that are as by default."""
+    """Constructor call of a dataclass, without arguments that equal their defaults."""
     parts = []
     for f in fields(value):
         default = f.default if f.default_factory is MISSING else f.default_factory()

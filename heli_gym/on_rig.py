@@ -1,4 +1,4 @@
-"""What an environment flies and tracks on a rig: its plant, its reference, and the refusal of another rig's plan."""
+"""Adapt the plant and the reference of an environment to a rig, and reject plans for another rig."""
 
 from dataclasses import replace
 from typing import Any
@@ -15,10 +15,10 @@ TABLE_I = HelicopterParameters()
 
 
 def plant_on_rig(plant: str | Plant, rig: Rig) -> Plant:
-    """The plant with a rig's coefficients and thrust map; one that has coefficients of its own stays as it is.
+    """The plant with a rig's coefficients and thrust map; a plant with its own coefficients is returned unchanged.
 
-    "rigid" becomes the rigid bodies whose linearisation about hover has the rig's coefficients. Raises ValueError where
-    there are none.
+    "rigid" becomes the rigid bodies whose linearisation about hover has the rig's coefficients. Raises ValueError if
+    no such body exists.
     """
     found = find_plant(plant)
     if same_dynamics(rig, PAPER) or found.parameters != TABLE_I:
@@ -32,7 +32,7 @@ def plant_on_rig(plant: str | Plant, rig: Rig) -> Plant:
         except ValueError as error:
             raise ValueError(f"plant = 'rigid': must be another on the rig {rig.name!r}, of whose {error}") from error
         changes["rig"] = OneOf(bodies)
-        # the rigid body does not know the friction in (3)
+        # the rigid-body equations lack the viscous friction of (3), so it moves into the plant's friction
         changes["friction"] = Friction(
             tuple(map(shifted, found.friction.viscous, rig.parameters[-3:])),  # type: ignore[arg-type]
             found.friction.coulomb,
@@ -41,12 +41,12 @@ def plant_on_rig(plant: str | Plant, rig: Rig) -> Plant:
 
 
 def shifted(value: Any, by: float) -> Any:
-    """A number, or a range, and as much more."""
+    """A number or a range, increased by a constant."""
     return Uniform(value.low + by, value.high + by) if isinstance(value, Uniform) else value + by
 
 
 def rig_to_fly(rig: Any, plant: Plant, reference: Any) -> Rig:
-    """The rig of an environment: the one given; or the reference's, if the plant is one of these; or the preset's."""
+    """The rig of an environment: the given one, else the reference's if the plant has its model, else the preset's."""
     if rig is not None:
         return find_rig(rig)
     preset = next((name for name, known in PLANTS.items() if known is plant), "nominal")
@@ -58,15 +58,15 @@ def rig_to_fly(rig: Any, plant: Plant, reference: Any) -> Rig:
 
 
 def plant_thrust_map(plant: Plant) -> ThrustMap:
-    """The thrust map that the plant flies: its own, or (2) with its coefficients."""
+    """Thrust map of the plant: its own, or (2) with its coefficients."""
     curve = PowerCurve(plant.parameters.k_plus, plant.parameters.k_minus)
     return ThrustMap(*(own or curve for own in rotor_curves(plant.thrust_map)))
 
 
 def reference_on_rig(reference: Any, rig: Rig, is_packaged: bool) -> Any:
-    """The reference, if it is for the rig; a packaged one is planned anew for a rig that cannot fly it.
+    """The reference if it is for the rig; a packaged one is planned again for a rig that cannot fly it.
 
-    Raises ValueError for a plan for another rig, naming what differs.
+    Raises ValueError, which names the differences, for a plan for another rig.
     """
     if not isinstance(reference, Trajectory):
         own = getattr(reference, "rig", None)

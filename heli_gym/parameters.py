@@ -10,7 +10,7 @@ Scalar: TypeAlias = Any  # a float, or (N,) values that describe N helicopters
 
 
 class HelicopterParameters(NamedTuple):
-    """Table I: the coefficients of the thrust map (2) and of the equations of motion (3), and viscous friction.
+    """Coefficients of the thrust map (2), of the equations of motion (3), as in Table I, and of viscous friction.
 
     A NamedTuple, because compiled kernels accept it. `_replace` makes a variant.
     """
@@ -39,18 +39,18 @@ PATH_LIMITS = {  # the optional fields of Limits, and their units in words
 
 @dataclass(frozen=True)
 class Limits:
-    """What a planned flight may use: voltages in V and pitch in rad, (9) by default; more limits where they are given.
+    """Limits of a planned flight: voltages and pitch, (9) by default, and optional further limits.
 
     Args:
         u_min: least voltage in V.
         u_max: greatest voltage in V.
         pitch_min: least pitch in rad.
         pitch_max: greatest pitch in rad.
-        elevation_min: least elevation in rad, positive down: the highest the helicopter may be.
-        elevation_max: greatest elevation in rad, positive down: the lowest it may be.
+        elevation_min: least elevation in rad, positive down: the highest position.
+        elevation_max: greatest elevation in rad, positive down: the lowest position.
         travel_rate: greatest travel rate in rad/s, in both directions.
         elevation_rate: greatest elevation rate in rad/s, in both directions.
-        slew: greatest change of a voltage in V/s.
+        slew: greatest rate of change of a voltage in V/s.
 
     Raises ValueError if a limit is not finite, or if the limits contradict each other.
     """
@@ -107,5 +107,5 @@ class Limits:
         return self.pitch_min, self.pitch_max
 
 
-AMPLIFIER_LIMITS = (0.0, 12.0)  # V, what the amplifiers can do; the paper plans within (9) to leave a reserve
-PITCH_STOP = math.radians(80.0)  # rad, the widest pitch the paper considers (below (9)): the flight ends there
+AMPLIFIER_LIMITS = (0.0, 12.0)  # V, output range of the amplifiers; the paper plans within (9) to leave a reserve
+PITCH_STOP = math.radians(80.0)  # rad, the largest pitch that the paper considers (below (9)): the flight ends there

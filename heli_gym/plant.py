@@ -1,8 +1,8 @@
-"""What stands between the voltage and the measurement: rotors, friction, table, disturbances, sensors; and the presets.
+"""Plants between commanded voltage and measurement: rotors, friction, table, disturbances, sensors; and the presets.
 
-A Plant is made of small values that combine. Any number in them, but for counts and tables of points, may be a
-`Uniform` range, from which every episode draws. `docs/plants.md` says which numbers of the presets are measured and
-which are assumed. Controllers are designed on nominal parameters only, and are never shown a draw.
+A Plant combines small immutable values. Any number in them, except counts and tables of points, may be a `Uniform`
+range, from which every episode draws. `docs/plants.md` lists the measured and the assumed numbers of the presets.
+Controllers are designed on nominal parameters only and never see a draw.
 """
 
 import itertools
@@ -22,20 +22,20 @@ from heli_gym.thrust_map import EXPONENTS, PowerCurve, TableCurve, ThrustCurve, 
 
 AXES = ("travel", "elevation", "pitch")
 ROTORS = ("front", "back")
-HELD_OUT_SEED = 2**31  # episodes of evaluations count their seeds from here on; tuning and training use smaller ones
+HELD_OUT_SEED = 2**31  # first seed of evaluation episodes; tuning and training use smaller seeds
 TURN = 2.0 * math.pi  # rad
 COULOMB_RATE = 0.02  # rad/s, over which Coulomb friction changes sign: smooth, so that RK4 keeps its order
 
-# What is beyond these is no laboratory helicopter, and would overflow.
-LARGEST_VISCOUS = 1000.0  # 1/s, the stiffest that the integrator's shortest steps follow
+# Largest accepted values: larger ones describe no laboratory helicopter and would overflow.
+LARGEST_VISCOUS = 1000.0  # 1/s, stability limit of the integrator's shortest steps
 LARGEST_COULOMB = LARGEST_VISCOUS * COULOMB_RATE  # rad/s², likewise
 LARGEST_ACCELERATION = 1000.0  # rad/s²
 LARGEST_DELAY = 0.5  # s
 LARGEST = 1e4  # of coefficients, masses and lengths, in SI units
-PLAIN_FRICTION = 5.0  # 1/s, up to which one Runge-Kutta step per control period serves (3)
+PLAIN_FRICTION = 5.0  # 1/s, largest friction for which one Runge-Kutta step of (3) per control period is enough
 
-# Contact with the table: each of two feet is a spring and a damper, with which the helicopter at rest on both bounces
-# with this frequency and damping, as stiff as steps of 10 ms follow.
+# Contact with the table: each of two feet is a spring and a damper. Frequency and damping are those of the helicopter
+# bouncing on both feet, as stiff as steps of 10 ms allow.
 CONTACT_FREQUENCY = 30.0  # rad/s
 CONTACT_DAMPING = 1.0
 FOOT_SPREAD = 0.27  # distance of a foot from the arm, in lengths of the arm: 0.178 of 0.660 m
@@ -45,7 +45,7 @@ NO_TABLE = 1e3  # rad, an elevation that is never reached
 
 @dataclass(frozen=True)
 class Uniform:
-    """A range from which every episode draws."""
+    """Range of uniform draws, one for every episode."""
 
     low: float
     high: float
@@ -59,7 +59,7 @@ Number: TypeAlias = Any  # a float, or a Uniform to draw one from
 
 
 def is_finite(value: Any) -> bool:
-    """Whether the value is a number that is finite as a float."""
+    """Whether the value is a number with a finite float."""
     try:
         return not isinstance(value, str) and math.isfinite(value)
     except (TypeError, ValueError, OverflowError):
@@ -67,7 +67,7 @@ def is_finite(value: Any) -> bool:
 
 
 def check_number(name: str, value: Number, low: float, high: float) -> None:
-    """Raises ValueError unless the number, or all of its range, is within [low, high]."""
+    """Raise ValueError unless the number, or its whole range, is within [low, high]."""
     bounds = (value.low, value.high) if isinstance(value, Uniform) else (value, value)
     try:
         allowed = not isinstance(value, str) and low <= float(bounds[0]) and float(bounds[1]) <= high
@@ -78,29 +78,29 @@ def check_number(name: str, value: Number, low: float, high: float) -> None:
 
 
 def check_magnitude(name: str, value: Number, largest: float) -> None:
-    """Raises ValueError unless the magnitude of the number, or of all of its range, is at most `largest`."""
+    """Raise ValueError unless the magnitude of the number, or of its whole range, is at most `largest`."""
     check_number(name, value, -largest, largest)
 
 
 def magnitude(value: Number) -> Any:
-    """The greatest absolute value of a number, or of its range."""
+    """Largest absolute value of a number or of its range."""
     return max(abs(value.low), abs(value.high)) if isinstance(value, Uniform) else abs(value)
 
 
 def check_choice(name: str, value: Any, choices: tuple[str, ...]) -> None:
-    """Raises ValueError unless the value is one of the choices."""
+    """Raise ValueError unless the value is one of the choices."""
     if not isinstance(value, str) or value not in choices:
         raise ValueError(f"{name} = {value!r}: must be one of {', '.join(map(repr, choices))}")
 
 
 def check_tuple(name: str, value: Any, labels: Sequence[str]) -> None:
-    """Raises ValueError unless the value is a tuple with one item for each label."""
+    """Raise ValueError unless the value is a tuple with one item for each label."""
     if not isinstance(value, tuple) or len(value) != len(labels):
         raise ValueError(f"{name} = {value!r}: must be one value each for {', '.join(labels)}")
 
 
 def check_type(name: str, value: Any, kinds: Any, what: str) -> None:
-    """Raises ValueError unless the value, or each option of a OneOf, is of one of the kinds."""
+    """Raise ValueError unless the value, or each option of a OneOf, is an instance of one of the kinds."""
     for option in value.options if isinstance(value, OneOf) else (value,):
         if not isinstance(option, kinds):
             raise ValueError(f"{name} = {option!r}: must be {what}")
@@ -108,7 +108,7 @@ def check_type(name: str, value: Any, kinds: Any, what: str) -> None:
 
 @dataclass(frozen=True)
 class OneOf:
-    """Alternatives, of which every episode draws one."""
+    """Alternatives; every episode draws one of them."""
 
     options: tuple[Any, ...]
 
@@ -118,33 +118,33 @@ class OneOf:
 
 
 def alternatives(value: Any) -> list:
-    """The value once for each combination of the options in it, however deep."""
+    """List of the value for each combination of the options nested in it."""
     if isinstance(value, OneOf):
         return [alternative for option in value.options for alternative in alternatives(option)]
     return [with_parts(value, parts) for parts in itertools.product(*map(alternatives, parts_of(value)))]
 
 
 def count_ranges(value: Any) -> int:
-    """Number of ranges in a value, however deep."""
+    """Number of ranges nested in a value."""
     return 1 if isinstance(value, Uniform) else sum(map(count_ranges, parts_of(value)))
 
 
 def at_uniforms(value: Any, uniforms: Iterator[float]) -> Any:
-    """The value with every range in it, however deep, replaced by its point at the next of the uniforms in [0, 1)."""
+    """The value with every nested range replaced by its point at the next of the uniforms in [0, 1)."""
     if isinstance(value, Uniform):
         return value.low + (value.high - value.low) * next(uniforms)
     return with_parts(value, [at_uniforms(part, uniforms) for part in parts_of(value)])
 
 
 def parts_of(value: Any) -> list:
-    """The fields of a dataclass, the items of a tuple, nothing of anything else."""
+    """Fields of a dataclass or items of a tuple; an empty list for any other value."""
     if is_dataclass(value) and not isinstance(value, Uniform | TableCurve):
         return [getattr(value, f.name) for f in fields(value)]
     return list(value) if isinstance(value, tuple) else []
 
 
 def with_parts(value: Any, parts: Sequence) -> Any:
-    """The value with other parts."""
+    """The dataclass or tuple with its parts replaced."""
     if is_dataclass(value) and not isinstance(value, Uniform | TableCurve):
         return replace(value, **{f.name: part for f, part in zip(fields(value), parts)})  # type: ignore[type-var]
     if isinstance(value, tuple):
@@ -154,12 +154,12 @@ def with_parts(value: Any, parts: Sequence) -> Any:
 
 @dataclass(frozen=True, repr=False)
 class Rotors:
-    """Amplifiers and rotors: how thrust follows from the voltage that a controller commands."""
+    """Amplifiers and rotors, from the commanded voltage to the thrust."""
 
     __repr__ = short_repr
 
-    lag: Number = 0.0  # s, first order, of the rotor speed (and so of the root of the thrust) behind the voltage
-    thrust_loss: Number = 0.0  # share that is missing: battery, air density, wear
+    lag: Number = 0.0  # s, first-order time constant from voltage to rotor speed, the root of the thrust
+    thrust_loss: Number = 0.0  # lost share: battery, air density, wear
     slew: Number = math.inf  # V/s, the amplifier's fastest change
     delay: Number = 0.0  # s, from the measurement to the voltage; need not be a multiple of the control period
     gains: tuple[Number, Number] = (1.0, 1.0)  # of the thrusts of the front and of the back rotor
@@ -176,11 +176,11 @@ class Rotors:
 
 @dataclass(frozen=True, repr=False)
 class Friction:
-    """In the joints of travel, elevation and pitch, as decelerations."""
+    """Friction in the joints of travel, elevation and pitch, as decelerations."""
 
     __repr__ = short_repr
 
-    viscous: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)  # 1/s, times the rate
+    viscous: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)  # 1/s, multiplies the rate
     coulomb: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)  # rad/s², against the direction of motion
 
     def __post_init__(self) -> None:
@@ -192,7 +192,7 @@ class Friction:
 
 @dataclass(frozen=True)
 class Table:
-    """The table, on which the helicopter rests with two feet, below the rotors, before it takes off."""
+    """Table below the helicopter, which rests on it before take-off with one foot under each rotor."""
 
     elevation: Number = TABLE_ELEVATION  # rad, positive down, of the arm at rest
     friction: Number = 0.3  # coefficient of the feet's Coulomb friction, which holds the travel
@@ -204,7 +204,7 @@ class Table:
 
 @dataclass(frozen=True, repr=False)
 class Sensors:
-    """Encoders of the three angles, from which rates are estimated. The counts are whole numbers, and no ranges.
+    """Encoders of the three angles, with rates estimated from them. Counts are integers, never ranges.
 
     The estimate is the filtered difference quotient r+ = a r + (1 - a) (q+ - q) / dt with a = exp(-dt / rate_filter),
     which is s / (1 + rate_filter s) sampled at the control period dt.
@@ -260,7 +260,7 @@ class Gust:
 
 @dataclass(frozen=True)
 class MovingMass:
-    """A mass that slides along the arm, and so changes the weight's a2 in (3) linearly over a duration."""
+    """Mass that slides along the arm and thereby changes a2 in (3) linearly over a duration."""
 
     a2_change: Number  # rad/s²
     time: Number  # s
@@ -274,7 +274,7 @@ class MovingMass:
 
 @dataclass(frozen=True)
 class RotorFault:
-    """A rotor that loses a share of its thrust at a time."""
+    """Sudden loss of a share of one rotor's thrust."""
 
     rotor: str
     loss: Number  # share
@@ -288,7 +288,7 @@ class RotorFault:
 
 @dataclass(frozen=True)
 class ThrustDrift:
-    """Linear loss of a share of both rotors' thrust over a duration, as a battery's; a gain if negative."""
+    """Linear loss of a share of both rotors' thrust over a duration, as from a battery; a gain if negative."""
 
     loss: Number  # share
     time: Number = 0.0  # s
@@ -301,7 +301,7 @@ class ThrustDrift:
 
 
 def check_time(value: Number) -> None:
-    """Raises ValueError unless a disturbance can start at this time."""
+    """Raise ValueError unless a disturbance can start at this time."""
     check_magnitude("time", value, 1e6)
 
 
@@ -310,23 +310,23 @@ Disturbance = Push | Gust | MovingMass | RotorFault | ThrustDrift
 
 @dataclass(frozen=True, repr=False)
 class Plant:
-    """A helicopter, its actuators and its sensors. By default equation (3), exactly, whose true state is measured.
+    """A helicopter with its actuators and sensors; by default exactly equation (3), with its true state measured.
 
-    Raises ValueError that names the field, if a value is of the wrong type, not finite, or beyond any such rig.
+    Raises ValueError, which names the field, if a value has the wrong type, is not finite, or is beyond any real rig.
     """
 
     __repr__ = short_repr
 
     parameters: HelicopterParameters = field(default_factory=HelicopterParameters)
-    rig: Any = None  # RigidBodyParameters, or a OneOf of such: the full rigid body, in place of equation (3)
+    rig: Any = None  # RigidBodyParameters or a OneOf of them: the full rigid body instead of (3)
     rotors: Rotors = field(default_factory=Rotors)
     friction: Friction = field(default_factory=Friction)
-    sensors: Sensors | None = None  # without any, the state itself is measured
+    sensors: Sensors | None = None  # None: the state itself is measured
     disturbances: tuple[Disturbance, ...] = ()
-    thrust_map: ThrustMap | ThrustCurve | None = None  # in place of (2); one curve is that of both rotors
-    hover_voltage: Number = None  # V, at which both rotors hold (3) level: scales a map of power curves
+    thrust_map: ThrustMap | ThrustCurve | None = None  # instead of (2); a single curve is for both rotors
+    hover_voltage: Number = None  # V, scales a map of power curves so that both rotors hold (3) level at it
     travel_lift: Number = 0.0  # 1/rad, acceleration of elevation (positive down) per square of the travel rate
-    table: Table | None = None  # without any, elevation has no stop
+    table: Table | None = None  # None: elevation has no stop
 
     def __post_init__(self) -> None:
         check_type("parameters", self.parameters, HelicopterParameters, "HelicopterParameters")
@@ -377,17 +377,17 @@ class Plant:
                     raise ValueError(f"hover_voltage = {self.hover_voltage}: must be None unless a2 > 0 > b2")
 
     def __deepcopy__(self, memo: dict) -> "Plant":
-        """The plant itself, for it never changes: Stable-Baselines3 copies every info that may hold it."""
+        """The plant itself, since it is immutable; Stable-Baselines3 deep-copies every info that may hold it."""
         return self
 
     @cached_property
     def alternatives(self) -> list["Plant"]:
-        """The plants, with ranges but without options, of which every episode draws one."""
+        """Plants without options, but with ranges; every episode draws one of them."""
         return alternatives(self)
 
     @cached_property
     def uniforms(self) -> int:
-        """Number of uniform numbers in [0, 1) that a draw takes: one for the alternative, and one for each range."""
+        """Number of uniform numbers in [0, 1) per draw: one for the alternative and one for each range."""
         ranges = max(map(count_ranges, self.alternatives))
         return 1 + ranges if ranges or len(self.alternatives) > 1 else 0
 
@@ -398,12 +398,12 @@ class Plant:
         return at_uniforms(self.alternatives[int(uniforms[0] * len(self.alternatives))], iter(uniforms[1:].tolist()))
 
     def draw(self, rng: np.random.Generator) -> "Plant":
-        """A plant drawn from the ranges."""
+        """Draw a plant from the ranges."""
         return self.at(rng.random(self.uniforms))
 
     @property
     def is_random(self) -> bool:
-        """Whether episodes draw something from it."""
+        """Whether the plant has ranges or alternatives to draw from."""
         return self.uniforms > 0
 
     @cached_property
@@ -414,7 +414,7 @@ class Plant:
 
     @cached_property
     def stiffness(self) -> float:
-        """The fastest rate in 1/s at which friction damps an axis, in any draw."""
+        """Largest rate in 1/s at which friction damps an axis in any draw."""
         return max(
             magnitude(viscous) + magnitude(coulomb) / COULOMB_RATE + magnitude(own)
             for p in self.alternatives
@@ -423,33 +423,33 @@ class Plant:
 
     @cached_property
     def is_plain(self) -> bool:
-        """Whether it is no more than equation (3), which takes one Runge-Kutta step per control period."""
+        """Whether the plant is only equation (3), integrated in one Runge-Kutta step per control period."""
         same = replace(self, parameters=HelicopterParameters(), sensors=None, rotors=Rotors(lag=self.rotors.lag))
         return same == Plant() and self.stiffness <= PLAIN_FRICTION
 
     @cached_property
     def is_general(self) -> bool:
-        """Whether it has an effect beyond rotors, friction and disturbances, which takes the most general loops."""
+        """Whether the plant has effects beyond rotors, friction and disturbances, which only the general loops have."""
         own = {name: getattr(self, name) for name in ("parameters", "rig", "rotors", "friction", "sensors")}
         return self != Plant(**own, disturbances=self.disturbances)
 
 
 def rotor_curves(thrust_map: ThrustMap | ThrustCurve | None) -> tuple:
-    """Thrust curves of the front and the back rotor; None where (2) is the curve."""
+    """Thrust curves of the front and the back rotor; None stands for (2)."""
     return (thrust_map.front, thrust_map.back) if isinstance(thrust_map, ThrustMap) else (thrust_map, thrust_map)
 
 
 def friction(rate: Any, viscous: Any, coulomb: Any) -> Any:
-    """Deceleration in rad/s² by friction at a rate in rad/s."""
+    """Friction as a deceleration in rad/s² at a rate in rad/s."""
     return viscous * rate + coulomb * rate / (rate * rate + COULOMB_RATE * COULOMB_RATE) ** 0.5
 
 
 def with_friction_and_disturbances(
     x: Any, dx: tuple, viscous: Any, coulomb: Any, torques: Any, cos: Any = np.cos
 ) -> tuple:
-    """The time derivative dx (6, ...) of a model's state x, with friction (3, ...) and disturbances.
+    """Add friction (3, ...) and disturbances to the time derivative dx (6, ...) of a model's state x.
 
-    The torques (4, ...) are accelerations in rad/s² of travel, elevation and pitch, and a change of a2 in (3).
+    The torques (4, ...) are accelerations of travel, elevation and pitch and a change of a2 in (3), all in rad/s².
     """
     dq1, ddq1, dq2, ddq2, dq3, ddq3 = dx
     on_travel, on_elevation, on_pitch, a2_change = torques
@@ -464,16 +464,16 @@ def with_friction_and_disturbances(
 
 
 def with_lift(dx: tuple, travel_lift: Any) -> tuple:
-    """The time derivative dx (6, ...) with the acceleration of elevation by the travel rate, travel_lift in 1/rad."""
+    """Add the elevation acceleration due to the travel rate to the derivative dx (6, ...); travel_lift in 1/rad."""
     dq1, ddq1, dq2, ddq2, dq3, ddq3 = dx
     return dq1, ddq1, dq2, ddq2 + travel_lift * dq1 * dq1, dq3, ddq3
 
 
 def with_contact(x: Any, dx: tuple, parameters: Any, table: Any, sin: Any = np.sin, cos: Any = np.cos) -> tuple:
-    """The time derivative dx (6, ...) of the state x with the forces of a table (rad, friction) on two feet.
+    """Add the forces of a table (rad, friction) on two feet to the time derivative dx (6, ...) of the state x.
 
-    A foot pushes like the rotor above it, with a spring and a damper, and never pulls; both hold the travel by Coulomb
-    friction.
+    Each foot is a spring and a damper that acts at the rotor above it and never pulls. Coulomb friction of both feet
+    holds the travel.
     """
     dq1, ddq1, dq2, ddq2, dq3, ddq3 = dx
     p, (elevation, coefficient) = parameters, table
@@ -507,25 +507,24 @@ def quantise(angle: Any, counts: Any, floor: Any = np.floor) -> Any:
 
 
 LAB_ROTORS = Rotors(lag=Uniform(0.05, 0.2), thrust_loss=Uniform(0.0, 0.15), delay=0.02)
-# The published range of travel damping goes on to 0.48 1/s, which the paper's plan, 10 s within 50 degrees of pitch,
-# cannot make up for. At its greatest travel rate, 88 degrees/s, a hover tilted by 50 degrees outweighs 0.34 1/s at the
-# plan's elevation (0.30 level); and where it also accelerates, following it takes more than the amplifier's 12 V from
-# 0.25 1/s on.
+# The published range of travel damping extends to 0.48 1/s, too much for the paper's plan of 10 s within 50 degrees of
+# pitch. At the plan's largest travel rate, 88 degrees/s, hover tilted by 50 degrees balances 0.34 1/s at the plan's
+# elevation (0.30 1/s level). From 0.25 1/s on, tracking the plan's accelerations exceeds the amplifier's 12 V.
 LAB_FRICTION = Friction(viscous=(Uniform(0.017, 0.2), Uniform(0.04, 0.30), Uniform(0.04, 0.46)))
 DRAG_RATIO = Uniform(0.015, 0.03)  # m
 
 
 class FleetRanges(NamedTuple):
-    """Ranges of the plant `fleet`: rigs as 15 measured flights show them. `docs/plants.md` has the source of each."""
+    """Ranges of the plant `fleet`, from 15 measured flights; `docs/plants.md` has the source of each."""
 
     a1: Uniform = Uniform(-1.72, -0.66)  # rad/s²
     a2: Uniform = Uniform(0.4, 1.2)  # rad/s²
     a3: Uniform = Uniform(-0.95, -0.25)  # rad/s²
-    b1: Uniform = Uniform(-0.65, -0.49)  # rad/s² per N, 0.75 to 1.0 of b2, which is nominal: a unit of thrust
+    b1: Uniform = Uniform(-0.65, -0.49)  # rad/s² per N, 0.75 to 1.0 times b2, which is nominal: a thrust unit
     b3: Uniform = Uniform(2.8, 4.6)  # rad/s² per N, 4.3 to 7.1 times b2
     hover_voltage: Uniform = Uniform(3.0, 4.35)  # V, at each rotor
     exponent: Uniform = Uniform(0.94, 1.74)
-    gain: Uniform = Uniform(0.95, 1.05)  # of each rotor: they differ by up to 10 %
+    gain: Uniform = Uniform(0.95, 1.05)  # of each rotor; two rotors differ by up to 10 %
     lag: Uniform = Uniform(0.04, 0.11)  # s
     delay: Uniform = Uniform(0.02, 0.10)  # s
     drift: Uniform = Uniform(-0.02, 0.06)  # share of the thrust that a flight of DRIFT_DURATION loses
@@ -541,11 +540,11 @@ class FleetRanges(NamedTuple):
 
 FLEET_RANGES = FleetRanges()
 DRIFT_DURATION = 20.0  # s
-BACKWARDS = -0.39  # thrust of a fan that turns backwards, of that forwards, at the same voltage
+BACKWARDS = -0.39  # ratio of backward to forward thrust at the same voltage
 
 
 def fleet(ranges: FleetRanges = FLEET_RANGES, parameters: HelicopterParameters = HelicopterParameters()) -> Plant:
-    """A plant with these ranges, of which every draw hovers at its `hover_voltage`; b2 is that of the parameters."""
+    """Plant with these ranges; every draw hovers at its `hover_voltage`, and b2 is that of the parameters."""
     r = ranges
     return Plant(
         parameters._replace(a1=r.a1, a2=r.a2, a3=r.a3, b1=r.b1, b3=r.b3),
@@ -571,12 +570,12 @@ PLANTS = {
     ),
     "fleet": fleet(),
 }
-# The rigs that controllers of these plants are designed for; see `rig.find_rig`.
+# Rigs for which controllers of these plants are designed; see `rig.find_rig`.
 NOMINAL_RIGS = {"nominal": "paper", "lab": "paper", "rigid": "paper", "fleet": "fleet"}
 
 
 def find_plant(plant: str | Plant) -> Plant:
-    """A plant by its name, or the plant itself. Raises ValueError for an unknown name."""
+    """Return a plant by its name, or the plant itself. Raises ValueError for an unknown name."""
     if isinstance(plant, Plant):
         return plant
     if not isinstance(plant, str) or plant not in PLANTS:

@@ -1,8 +1,8 @@
-"""Fly by keyboard: `heli-play`, and with `--assist` helped by the paper's feedback.
+"""Fly by keyboard: `heli-play`, and with `--assist` through the paper's feedback.
 
-The arrow keys raise and lower the helicopter and turn it left, which is counter-clockwise seen from above, or right.
-Without help they change the two voltages about hover; with it they move a set-point, which the regulator (49)-(51)
-holds. The ghost shows the reference that is to be followed. Escape ends.
+The arrow keys raise and lower the helicopter and turn it left (counter-clockwise seen from above) or right. Without
+`--assist` they change the two voltages about hover; with it they move the set-point of the regulator (49)-(51). The
+ghost shows the reference to track. Escape ends.
 """
 
 import argparse
@@ -24,17 +24,17 @@ from heli_gym.rendering import load_pygame
 from heli_gym.rig import PAPER, Rig
 from heli_gym.task import TOLERANCE
 
-LIFT, ROLL = 1.5, 0.6  # V on each fan, for as long as a key is held
-FASTEST = np.array((0.9, 0.15))  # rad/s, travel and elevation of the set-point, while a key is held
-PACE = np.array((0.8, 2.0))  # 1/s, at which its rates follow the keys
-FARTHEST = math.radians(12.0)  # rad, of its elevation, up and down: at 18.6 deg down, nothing is left to thrust
+LIFT, ROLL = 1.5, 0.6  # V on each fan while a key is pressed
+FASTEST = np.array((0.9, 0.15))  # rad/s, travel and elevation rates of the set-point while a key is pressed
+PACE = np.array((0.8, 2.0))  # 1/s, bandwidth from the keys to these rates
+FARTHEST = math.radians(12.0)  # rad, of its elevation, up and down: hover thrust is zero at 18.6 deg down
 
 
 class Assist(gym.Wrapper):
-    """The paper's feedback flies to a set-point that the player moves.
+    """Wrapper in which the paper's feedback flies to a set-point moved by the player.
 
-    Actions are `Box(-1, 1, (2,), float32)`: how fast the set-point is to turn and to sink, in units of `FASTEST`. Its
-    rates follow with a double lag, so that neither they nor its accelerations jump.
+    Actions are `Box(-1, 1, (2,), float32)`: commanded travel and elevation rates of the set-point in units of
+    `FASTEST`. Its rates follow with a double lag, so that rates and accelerations are continuous.
     """
 
     def __init__(self, env: gym.Env) -> None:
@@ -45,20 +45,20 @@ class Assist(gym.Wrapper):
         self.highest, self.lowest = elevation_range(self.rig)
 
     def reset(self, **options: Any) -> tuple[np.ndarray, dict[str, Any]]:
-        """Also puts the set-point where the helicopter is, at rest."""
+        """Reset the environment, and put the set-point at the helicopter's position, at rest."""
         observation, info = self.env.reset(**options)
         self.measurement = info["measurement"]
         self.position, self.rate, self.acceleration = self.measurement[[0, 2]], np.zeros(2), np.zeros(2)
         return observation, info
 
     def step(self, action: Any) -> tuple[np.ndarray, Any, bool, bool, dict[str, Any]]:
-        """One control period, on the way to the set-point that the player's command leads to."""
+        """Move the set-point by the player's command, and fly one control period towards it."""
         period = self.helicopter.control_period
-        asked = FASTEST * np.clip(action, -1.0, 1.0)
-        rest = self.position + (2.0 * PACE * self.rate + self.acceleration) / PACE**2  # where it would come to rest
-        if asked[1] * rest[1] > 0.0 and not self.highest < rest[1] < self.lowest:
-            asked[1] = 0.0
-        jerk = PACE * (PACE * (asked - self.rate) - 2.0 * self.acceleration)
+        commanded = FASTEST * np.clip(action, -1.0, 1.0)
+        rest = self.position + (2.0 * PACE * self.rate + self.acceleration) / PACE**2  # where it would stop
+        if commanded[1] * rest[1] > 0.0 and not self.highest < rest[1] < self.lowest:
+            commanded[1] = 0.0
+        jerk = PACE * (PACE * (commanded - self.rate) - 2.0 * self.acceleration)
         self.position = self.position + period * self.rate
         self.rate = self.rate + period * self.acceleration
         self.acceleration = self.acceleration + period * jerk
@@ -70,7 +70,7 @@ class Assist(gym.Wrapper):
 
 
 def elevation_range(rig: Rig) -> tuple[float, float]:
-    """Elevations in rad to which the set-point may go: within FARTHEST of level, and where the rig's limits hover."""
+    """Elevation range in rad of the set-point: within FARTHEST of level, where the rig hovers within its limits."""
     least, most = rig.thrust_bounds(rig.limits.u)
     elevations = np.linspace(-FARTHEST, FARTHEST, 241)
     half = 0.5 * hover_input(elevations, rig.parameters)[0]
@@ -79,9 +79,9 @@ def elevation_range(rig: Rig) -> tuple[float, float]:
 
 
 def hold_gain(rig: Rig = PAPER) -> np.ndarray:
-    """Gain K (2, 6) of (51) at hover, where (50) has settled.
+    """Gain K (2, 6) of (51) at hover, from the stationary solution of (50).
 
-    The weights follow from what the reward tolerates, by Bryson's rule.
+    The weights follow from the reward's tolerances by Bryson's rule.
     """
     parameters, (low, high) = rig.parameters, rig.voltage_limits
     A, B = linearise(np.zeros(6), hover_input(0.0, parameters), parameters)
@@ -94,9 +94,9 @@ def hold_gain(rig: Rig = PAPER) -> np.ndarray:
 def set_point(
     position: np.ndarray, rate: np.ndarray, acceleration: np.ndarray, parameters: HelicopterParameters
 ) -> tuple[np.ndarray, np.ndarray]:
-    """State (6,) and virtual input (2,) in N at which (3) has these accelerations, and the pitch is at rest.
+    """State (6,) and virtual input (2,) in N at which (3) has the given accelerations, with constant pitch.
 
-    Position, rate and acceleration (2,) are those of travel and elevation, in rad and s.
+    Position, rate and acceleration are (2,), travel and elevation, in rad and s.
     """
     x = np.array((position[0], rate[0], position[1], rate[1], 0.0, 0.0))
     x[4] = math.atan2(*thrust_vector(x, acceleration[0], acceleration[1], parameters))
@@ -104,7 +104,7 @@ def set_point(
 
 
 def keyboard(hover: np.ndarray, up: np.ndarray, left: np.ndarray) -> dict[tuple[int, ...], np.ndarray]:
-    """Sums (2,) for every combination of the arrow keys: opposite ones cancel."""
+    """Map every combination of the arrow keys to its action (2,); opposite keys cancel."""
     pygame = load_pygame()
     effects = {pygame.K_UP: up, pygame.K_DOWN: -up, pygame.K_LEFT: left, pygame.K_RIGHT: -left}
     return {
@@ -115,7 +115,7 @@ def keyboard(hover: np.ndarray, up: np.ndarray, left: np.ndarray) -> dict[tuple[
 
 
 def mapping(env: gym.Env) -> tuple[dict[tuple[int, ...], np.ndarray], np.ndarray]:
-    """What the arrow keys do in an environment, and what no key does: actions (2,), float32."""
+    """Actions (2,), float32, of the arrow keys in an environment, and the action without a key."""
     rest = np.zeros(2, dtype=np.float32)  # hover, or no command to the feedback
     if isinstance(env, Assist):
         commands = keyboard(rest, np.array((0.0, -1.0)), np.array((1.0, 0.0)))
@@ -125,19 +125,19 @@ def mapping(env: gym.Env) -> tuple[dict[tuple[int, ...], np.ndarray], np.ndarray
     low, high = helicopter.rig.voltage_limits
     share = (high - low) / 12.0  # of the paper's amplifier
     turn = -np.sign(helicopter.rig.parameters.b1 * helicopter.rig.parameters.b3)
-    # A fan that is lower in front tilts the thrust so that the travel grows, since b1 < 0 in (3).
+    # Less front thrust tilts the helicopter so that the travel grows, since b1 < 0 in (3).
     voltages = keyboard(hover, share * LIFT * np.ones(2), share * ROLL * turn * np.array((-1.0, 1.0)))
     return {keys: helicopter.to_action(u).clip(-1.0, 1.0).astype(np.float32) for keys, u in voltages.items()}, rest
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """The command `heli-play`."""
+    """Run the command `heli-play`."""
     with command("heli-play"):
         run(sys.argv[1:] if arguments is None else arguments)
 
 
 def run(arguments: list[str]) -> None:
-    """Fly as these arguments say."""
+    """Parse the arguments and fly."""
     parser = argparse.ArgumentParser(prog="heli-play", allow_abbrev=False, description=__doc__.partition("\n\n")[2])
     parser.add_argument("--assist", action="store_true", help="let the paper's feedback help")
     parser.add_argument("--plant", default="nominal", help="nominal, lab or rigid (default: %(default)s)")
@@ -156,13 +156,13 @@ def run(arguments: list[str]) -> None:
 
 
 def fly(env: gym.Env, seed: int | None = None) -> None:
-    """Let the keyboard fly episode after episode, each summed up in a line, until Escape or the window is closed.
+    """Fly episodes by keyboard, and print a summary line after each, until Escape or the window is closed.
 
     Raises gymnasium.error.DependencyNotInstalled without pygame.
     """
     actions, rest = mapping(env)
-    with warnings.catch_warnings(action="ignore"):  # of matplotlib without Tk, for plots that are not drawn here
-        from gymnasium.utils.play import play  # loads pygame too
+    with warnings.catch_warnings(action="ignore"):  # from matplotlib without Tk, although nothing is plotted
+        from gymnasium.utils.play import play  # imports pygame
 
     rewards = []
 

@@ -1,7 +1,7 @@
-"""The helicopter as a picture: the rig in perspective, its reference as a ghost, and gauges.
+"""Rendering: the rig in perspective, its reference as a ghost, and gauges.
 
-`Renderer` draws a `RenderState` of plain values, so that it shows any flight, with an environment or without one. The
-geometry above it is pure. World coordinates have the pivot of the arm at the origin and z up, in m.
+`Renderer` draws a `RenderState` of plain values, so that it shows any flight, with or without an environment. The
+geometry above it consists of pure functions. World coordinates, in m, have the arm's pivot at the origin and z up.
 """
 
 import math
@@ -27,23 +27,23 @@ Colour = tuple[int, int, int]
 SKY, PLATE, GRID, MARK, BASE = (246, 248, 250), (233, 237, 242), (221, 226, 233), (186, 195, 205), (196, 204, 213)
 PAPER, INK, NOTE, TRACK = (255, 255, 255), (34, 45, 56), (104, 116, 128), (226, 231, 236)
 STEEL, DARK, BRASS = (158, 168, 179), (78, 89, 101), (201, 164, 92)
-# The palette of Okabe and Ito, which colour-blind readers can tell apart.
+# Palette of Okabe and Ito, distinguishable by colour-blind readers.
 FRONT, BACK, GHOST, LIMIT = (0, 114, 178), (230, 159, 0), (0, 158, 115), (213, 94, 0)
-WINDOW = (201, 229, 219)  # of what the plan may use
+WINDOW = (201, 229, 219)  # of the plan's limits
 WAY = (86, 180, 233)
-SHADOW, GHOSTLY, WAY_FLOWN = (40, 55, 70, 38), (*GHOST, 120), (*WAY, 110)  # with their opacity, of 255
+SHADOW, GHOSTLY, WAY_FLOWN = (40, 55, 70, 38), (*GHOST, 120), (*WAY, 110)  # RGBA, opacity out of 255
 
 
 class RenderState(NamedTuple):
-    """All that a picture shows of one instant, in rad, rad/s, V and s."""
+    """Contents of a picture at one instant, in rad, rad/s, V and s."""
 
     state: Sequence[float]  # (6,), the order of (44)
     voltage: Sequence[float]  # (2,), front and back
-    reference: Sequence[float]  # (6,), where the ghost is
+    reference: Sequence[float]  # (6,), drawn as the ghost
     nominal_voltage: Sequence[float]  # (2,)
     time: float
     duration: float
-    travel_start: float = 0.0  # where the maneuver began
+    travel_start: float = 0.0  # travel at the start of the maneuver
     limits: Limits = Limits()  # of the plan
     voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
     pitch_limit: float = PITCH_STOP  # where the flight ends
@@ -55,7 +55,7 @@ class RenderState(NamedTuple):
 
 
 class Camera(NamedTuple):
-    """A pinhole camera: where it is and what it looks at in m, focal length and image centre in pixels."""
+    """Pinhole camera: position and target in m, focal length and image centre in pixels."""
 
     eye: tuple[float, float, float]
     target: tuple[float, float, float]
@@ -64,7 +64,7 @@ class Camera(NamedTuple):
 
 
 def project(points: ArrayLike, camera: Camera) -> tuple[np.ndarray, np.ndarray]:
-    """Pixels (2, ...) and depths (...) in m of points (3, ...) in m; x to the right, y down, the horizon level."""
+    """Project points (3, ...) in m to pixels (2, ...), x right and y down, and depths (...) in m; no camera roll."""
     points = np.asarray(points, dtype=float)
     eye = np.asarray(camera.eye, dtype=float)
     ahead = camera.target - eye
@@ -77,7 +77,7 @@ def project(points: ArrayLike, camera: Camera) -> tuple[np.ndarray, np.ndarray]:
 
 
 class Pose(NamedTuple):
-    """Rotations (3, 3) of the parts of the rig into the world, and the pitch hinge (3,) in m."""
+    """Rotations (3, 3) from the frames of the rig's parts to the world, and the pitch hinge (3,) in m."""
 
     yoke: np.ndarray  # turns with the travel only
     arm: np.ndarray
@@ -95,7 +95,7 @@ def pose(state: Sequence[float], rig: RigidBodyParameters = RIG) -> Pose:
 
 
 def rotors(at: Pose, rig: RigidBodyParameters = RIG) -> np.ndarray:
-    """Where the thrusts of the (front, back) rotors act: (3, 2) in m."""
+    """Positions (3, 2) in m of the (front, back) rotors, where their thrusts act."""
     return at.hinge[:, None] + np.outer(at.body[:, 1], (rig.l_p, -rig.l_p))
 
 
@@ -108,7 +108,7 @@ class Mesh(NamedTuple):
 
 
 def join(*meshes: Mesh) -> Mesh:
-    """Several meshes as one."""
+    """Join several meshes into one."""
     offsets = np.cumsum([0, *(mesh.vertices.shape[1] for mesh in meshes)])
     return Mesh(
         np.concatenate([mesh.vertices for mesh in meshes], axis=1),
@@ -118,19 +118,19 @@ def join(*meshes: Mesh) -> Mesh:
 
 
 def moved(mesh: Mesh, rotation: np.ndarray, to: ArrayLike = (0.0, 0.0, 0.0)) -> Mesh:
-    """The mesh rotated about the origin and then shifted."""
+    """Rotate a mesh about the origin, then shift it."""
     return mesh._replace(vertices=rotation @ mesh.vertices + np.reshape(to, (3, 1)))
 
 
 def normals(mesh: Mesh) -> np.ndarray:
-    """Unit normals (3, F)."""
+    """Unit normals (3, F) of the faces."""
     a, b, c, d = np.moveaxis(mesh.vertices[:, mesh.faces], 2, 0)
     normal = np.cross(c - a, d - b, axis=0)
     return normal / np.linalg.norm(normal, axis=0)
 
 
 def convex(vertices: np.ndarray, faces: np.ndarray, colour: Colour) -> Mesh:
-    """A convex solid: its faces turned outwards, all in one colour."""
+    """Convex solid in one colour, with its faces oriented outwards."""
     mesh = Mesh(vertices, faces, np.tile(colour, (len(faces), 1)))
     outwards = vertices[:, faces].mean(axis=2) - vertices.mean(axis=1, keepdims=True)
     inside_out = (normals(mesh) * outwards).sum(axis=0) < 0.0
@@ -138,14 +138,14 @@ def convex(vertices: np.ndarray, faces: np.ndarray, colour: Colour) -> Mesh:
 
 
 def box(low: Sequence[float], high: Sequence[float], colour: Colour) -> Mesh:
-    """A box between two corners."""
+    """Box between two corners."""
     corners = np.array([[(low, high)[k >> axis & 1][axis] for k in range(8)] for axis in range(3)])
     faces = np.array([[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]])
     return convex(corners, faces, colour)
 
 
 def tube(start: ArrayLike, end: ArrayLike, radius: float, colour: Colour, sides: int = 10, pieces: int = 1) -> Mesh:
-    """A cylinder, in pieces along its axis so that each is in front of or behind what it crosses."""
+    """Cylinder, in pieces along its axis, so that sorting by depth is right where it crosses other parts."""
     start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
     axis = (end - start) / np.linalg.norm(end - start)
     aside = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
@@ -164,7 +164,7 @@ def tube(start: ArrayLike, end: ArrayLike, radius: float, colour: Colour, sides:
 
 
 def hoop(centre: Sequence[float], radius: float, height: float, colour: Colour, sides: int = 28) -> Mesh:
-    """An upright band around a centre, to be seen from inside and from outside."""
+    """Upright band around a centre, visible from inside and from outside."""
     x, y, z = centre
     band = tube((x, y, z - 0.5 * height), (x, y, z + 0.5 * height), radius, colour, sides)
     walls = band._replace(faces=band.faces[:sides], colours=band.colours[:sides])
@@ -173,7 +173,7 @@ def hoop(centre: Sequence[float], radius: float, height: float, colour: Colour, 
 
 @cache
 def parts() -> dict[str, Mesh]:
-    """The rig, each part in its own frame; the body's origin is the pitch hinge."""
+    """Meshes of the rig, each part in its own frame; the body's origin is the pitch hinge."""
     l_h, l_p, l_c, d_c, e_h = RIG.l_h, RIG.l_p, RIG.l_c, RIG.d_c, RIG.e_h
     body = [box((-0.035, -0.04, -0.025), (0.035, 0.04, 0.014), DARK)]
     for y, colour in ((l_p, FRONT), (-l_p, BACK)):
@@ -201,7 +201,7 @@ def parts() -> dict[str, Mesh]:
 
 
 def helicopter(at: Pose) -> Mesh:
-    """What moves, in the world."""
+    """Mesh of the moving parts in world coordinates."""
     mesh = parts()
     return join(moved(mesh["yoke"], at.yoke), moved(mesh["arm"], at.arm), moved(mesh["body"], at.body, at.hinge))
 
@@ -213,12 +213,12 @@ def circle(radius: float, points: int = 64, start: float = 0.0, end: float = 2.0
 
 
 def disc(at: Pose, hub: np.ndarray, radius: float) -> np.ndarray:
-    """The rim (3, N) of a rotor about its hub (3,)."""
+    """Rim (3, N) of a rotor about its hub (3,)."""
     return hub[:, None] + at.body[:, :2] @ circle(radius, 37)
 
 
 def stripe(start: ArrayLike, end: ArrayLike, width: float) -> np.ndarray:
-    """Corners (2, 4) of a line in the plane."""
+    """Corners (2, 4) of a line with a width, in the plane."""
     start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
     along = end - start
     side = 0.5 * width * np.array((-along[1], along[0])) / max(float(np.hypot(*along)), 1e-9)
@@ -231,7 +231,7 @@ def sector(inner: float, outer: float, start: float, end: float, points: int = 4
 
 
 def shadows(at: Pose) -> list[np.ndarray]:
-    """Corners (2, N) in m of what the rig covers of the floor, seen from straight above."""
+    """Corners (2, N) in m of the rig's shadows on the floor, projected vertically."""
     hubs = rotors(at)
     counterweight = at.arm @ (-RIG.l_c, 0.0, -RIG.d_c)
     along = at.arm[:2, 0] * 0.05
@@ -245,7 +245,7 @@ def shadows(at: Pose) -> list[np.ndarray]:
 
 
 def arrow(foot: np.ndarray, way: np.ndarray, eye: ArrayLike) -> np.ndarray:
-    """Corners (3, 7) of a flat arrow from a point (3,) along a vector (3,) in m, turned towards the eye."""
+    """Corners (3, 7) of a flat arrow from a point (3,) along a vector (3,) in m, facing the eye."""
     length = float(np.linalg.norm(way))
     side = np.cross(way, foot - np.asarray(eye))
     side /= np.linalg.norm(side)
@@ -258,7 +258,7 @@ def arrow(foot: np.ndarray, way: np.ndarray, eye: ArrayLike) -> np.ndarray:
 
 # Pictures
 
-WIDTH, HEIGHT, VIEW = 640.0, 480.0, 362.0  # units of the layout, and where the gauges begin
+WIDTH, HEIGHT, VIEW = 640.0, 480.0, 362.0  # layout units; VIEW is the height at which the gauges begin
 OVERSAMPLING = 2  # pixels of the canvas per pixel of the picture, along each side
 EYE, TARGET, FOCAL = (1.15, -2.45, 1.25), (0.0, 0.0, -0.28), 664.0  # m, m, layout units
 TO_LIGHT = np.array((0.35, -0.45, 0.82)) / math.hypot(0.35, 0.45, 0.82)
@@ -271,7 +271,7 @@ MOST_FRAMES = 60.0  # per second of the flight, in a window
 
 
 def load_pygame() -> Any:
-    """The module pygame. Raises gymnasium.error.DependencyNotInstalled without it."""
+    """Import pygame. Raises gymnasium.error.DependencyNotInstalled without it."""
     try:
         import pygame
         import pygame.gfxdraw
@@ -283,13 +283,13 @@ def load_pygame() -> Any:
 
 
 class Renderer:
-    """Draws scenes as pictures or in a window; pygame is loaded only here.
+    """Draw scenes as pictures or in a window; only this class imports pygame.
 
     Args:
         width: of the picture in pixels, a multiple of 8; the height is three quarters of it.
 
     Raises:
-        ValueError: if the width is another.
+        ValueError: for any other width.
         gymnasium.error.DependencyNotInstalled: without pygame.
     """
 
@@ -302,9 +302,9 @@ class Renderer:
         large = [OVERSAMPLING * side for side in self.size]
         self.canvas = pygame.Surface(large, depth=32)
         self.overlay = pygame.Surface(large, pygame.SRCALPHA, depth=32)
-        self.touched = self.overlay.get_rect()  # what must be cleared of the overlay
+        self.touched = self.overlay.get_rect()  # area of the overlay to clear
         self.camera = Camera(EYE, TARGET, FOCAL * self.scale, (0.5 * WIDTH * self.scale, 0.455 * VIEW * self.scale))
-        self.still: tuple | None = None  # what the background shows
+        self.still: tuple | None = None  # scene values drawn in the cached background
         self.background: Any = None
         self.fonts: dict[float, Any] = {}
         self.window: Any = None
@@ -312,15 +312,15 @@ class Renderer:
         self.shown = math.inf
 
     def frame(self, scene: RenderState) -> np.ndarray:
-        """The picture (H, W, 3), uint8: the same for the same scene."""
+        """Draw a picture (H, W, 3), uint8; equal scenes give equal pictures."""
         width, height = self.size
         pixels = self.pygame.image.tobytes(self._picture(scene), "RGB")
         return np.frombuffer(pixels, dtype=np.uint8).reshape(height, width, 3).copy()
 
     def show(self, scene: RenderState) -> None:
-        """Draw in a window, which opens at the first call, and wait until the scene's time has passed.
+        """Draw in a window, which opens at the first call, and wait for the scene's time.
 
-        Scenes that follow faster than the eye are left out.
+        Scenes beyond MOST_FRAMES per second are skipped.
         """
         pygame = self.pygame
         if self.window is None:
@@ -334,7 +334,7 @@ class Renderer:
         self.window.blit(self._picture(scene), (0, 0))
         pygame.event.pump()
         pygame.display.flip()
-        if passed > 0.0:  # otherwise another flight begins
+        if passed > 0.0:  # otherwise a new flight begins
             self.clock.tick(1.0 / passed)
         self.shown = scene.time
 
@@ -359,7 +359,7 @@ class Renderer:
         return self.pygame.transform.smoothscale(self.canvas, self.size)
 
     def _background(self, scene: RenderState) -> Any:
-        """The floor, and the faces of the gauges."""
+        """Draw the floor and the gauge faces."""
         canvas = self.canvas.copy()
         canvas.fill(SKY)
         self._floor(canvas, circle(FLOOR_RADIUS, 120), PLATE)
@@ -389,7 +389,7 @@ class Renderer:
         return canvas
 
     def _behind(self, scene: RenderState) -> None:
-        """The way flown, the shadow and the ghost, translucent, and behind the rig so that it stays clear."""
+        """Draw path, shadow and ghost, translucent and behind the rig, so that the rig stays clear."""
         self.overlay.fill((0, 0, 0, 0), self.touched)
         areas = [self._floor(self.overlay, sector(RIG.l_h - 0.02, RIG.l_h + 0.02, *flown(scene), 90), WAY_FLOWN)]
         areas += [self._floor(self.overlay, shadow, SHADOW) for shadow in shadows(pose(scene.state))]
@@ -398,7 +398,7 @@ class Renderer:
         self.canvas.blit(self.overlay, self.touched, self.touched)
 
     def _rig(self, scene: RenderState) -> None:
-        """The rig, the blur of its rotors as strong as their voltages, and their thrusts as arrows."""
+        """Draw the rig, the blur of its rotors in proportion to their voltages, and their thrusts as arrows."""
         at = pose(scene.state)
         flats: list[tuple[np.ndarray, tuple]] = []
         for rotor, u, colour in zip(rotors(at).T, scene.voltage, (FRONT, BACK)):
@@ -414,7 +414,7 @@ class Renderer:
     def _solids(
         self, surface: Any, mesh: Mesh, flats: list[tuple[np.ndarray, tuple]], tint: tuple | None = None
     ) -> list[Any]:
-        """Paint the faces that are seen, and flat shapes (3, N), from the farthest to the nearest; all in a tint."""
+        """Paint visible faces and flat shapes (3, N) from back to front, all in the tint if one is given."""
         normal, centres = normals(mesh), mesh.vertices[:, mesh.faces].mean(axis=2)
         to_eye = np.reshape(EYE, (3, 1)) - centres
         seen = (normal * to_eye).sum(axis=0) > 0.0
@@ -429,14 +429,14 @@ class Renderer:
         opacity = [] if tint is None else [tint[3]]
         painted = []
         for _, outline, colour in sorted(items, reverse=True):
-            if len(colour) == 4:  # pygame.draw would replace what is behind instead of blending
+            if len(colour) == 4:  # pygame.draw overwrites the background instead of blending
                 self.pygame.gfxdraw.filled_polygon(surface, outline, colour)
             else:
                 painted.append(self.pygame.draw.polygon(surface, colour + opacity, outline))
         return painted
 
     def _needles(self, scene: RenderState) -> None:
-        """Travel from above, elevation from the side and pitch from the pivot outwards: scene and reference."""
+        """Draw the dials of travel (from above), elevation (from the side) and pitch (from the pivot outwards)."""
         ring = sector(DIAL - 4.0, DIAL, *flown(scene), 90)
         self._shape(self.canvas, TRAVEL_DIAL + ring * [[1.0], [-1.0]], WAY)
         inner = DIAL - 7.0
@@ -456,7 +456,7 @@ class Renderer:
             self._shape(self.canvas, dial + circle(3.5, 24), INK)
 
     def _bars(self, scene: RenderState) -> None:
-        """The voltages, red outside the plan's window, with marks at the nominal ones; and the time."""
+        """Draw the time and the voltages, red outside the plan's limits, with marks at the nominal ones."""
         low = scene.voltage_limits[0]
         for top, u, nominal, colour in zip(BARS, scene.voltage, scene.nominal_voltage, (FRONT, BACK)):
             planned = scene.limits.u_min <= u <= scene.limits.u_max
@@ -487,13 +487,13 @@ class Renderer:
         self._write("reference", (WIDTH - 14.0, HEIGHT - 21.0), 14, GHOST, 1.0)
 
     def _write(self, text: str, at: tuple[float, float], size: float, colour: Colour, anchor: float = 0.5) -> None:
-        """Text below a point in layout units, which divides its width as the anchor says."""
+        """Write text below a point in layout units; the anchor is the share of its width left of the point."""
         font = self.pygame.font
-        if not font.get_init():  # at first, and after somebody's pygame.quit
+        if not font.get_init():  # at the first call, and after a pygame.quit elsewhere
             font.init()
             self.fonts.clear()
         if size not in self.fonts:
-            # The font that comes with pygame, so that pictures do not depend on the machine.
+            # pygame's own font, so that pictures do not depend on the machine
             self.fonts[size] = font.Font(None, round(1.25 * size * self.scale))
         words = self.fonts[size].render(text, True, colour)
         self.canvas.blit(words, (round(at[0] * self.scale - anchor * words.get_width()), round(at[1] * self.scale)))
@@ -505,26 +505,26 @@ class Renderer:
         self._shape(canvas, rectangle(left, right, top, top + height), colour)
 
     def _shape(self, surface: Any, points: np.ndarray, colour: tuple) -> Any:
-        """Fill a polygon (2, N) in layout units; the area that was touched."""
+        """Fill a polygon (2, N) in layout units, and return its bounding rectangle."""
         return self.pygame.draw.polygon(surface, colour, (self.scale * points).T.tolist())
 
     def _floor(self, surface: Any, points: np.ndarray, colour: tuple) -> Any:
-        """Fill a polygon (2, N) on the floor, in m; the area that was touched."""
+        """Fill a polygon (2, N) on the floor, in m, and return its bounding rectangle."""
         raised = np.concatenate((points, np.full((1, points.shape[1]), FLOOR)))
         return self.pygame.draw.polygon(surface, colour, project(raised, self.camera)[0].T.tolist())
 
 
 def flown(scene: RenderState) -> tuple[float, float]:
-    """From where to where the travel has gone in rad, one turn at most."""
+    """Interval of travel in rad flown since the start, at most one turn."""
     start, now = scene.travel_start, scene.state[0]
     return start, start + min(max(now - start, -2.0 * math.pi), 2.0 * math.pi)
 
 
 def rectangle(left: float, right: float, top: float, bottom: float) -> np.ndarray:
-    """Corners (2, 4)."""
+    """Corners (2, 4) of a rectangle."""
     return np.array(((left, right, right, left), (top, top, bottom, bottom)))
 
 
 def share(value: float, bounds: tuple[float, float]) -> float:
-    """Where a value is between two bounds: 0 at the one, 1 at the other, and no farther."""
+    """Position of a value between two bounds, clipped: 0 at the lower, 1 at the upper."""
     return min(max((value - bounds[0]) / (bounds[1] - bounds[0]), 0.0), 1.0)

@@ -1,7 +1,7 @@
-"""A rig: the coefficients of (3), thrust map, amplifier, sensors; a value that plans, policies and results carry.
+"""Rig: coefficients of (3), thrust map, amplifier and sensors; an immutable value in plans, policies and results.
 
-A rig is a TOML file, in one of two forms: with the coefficients of (3), or with the masses and lengths that they follow
-from. `docs/rigs.md` describes both. Packaged rigs are in the folder `rigs`.
+A rig file is TOML in one of two forms: with the coefficients of (3), or with the masses and lengths that determine
+them. `docs/rigs.md` describes both. Packaged rigs are in the folder `rigs`.
 """
 
 import math
@@ -26,14 +26,14 @@ RIGS = Path(__file__).parent / "rigs"
 TABLE_I = HelicopterParameters()
 GRAVITY = 9.81  # m/s²
 COEFFICIENTS = ("a1", "a2", "a3", "b1", "b2", "b3", "c1", "c2", "c3")
-RESERVE = 1.0 / 12.0  # share of the amplifier's range that planned flights leave at each end, as (9) does of 0 to 12 V
-PITCH_SHARE = 5.0 / 8.0  # share of the pitch limit that planned flights use, as (9) does of 80 degrees
+RESERVE = 1.0 / 12.0  # share of the amplifier's range unused by plans at each end, as in (9) for 0 to 12 V
+PITCH_SHARE = 5.0 / 8.0  # share of the pitch limit used by plans, as in (9) for 80 degrees
 
 
 class Masses(NamedTuple):
-    """Masses and lengths of a rig, from which the coefficients of (3) follow; see `coefficients_from_masses`."""
+    """Masses and lengths that determine a rig's coefficients of (3); see `coefficients_from_masses`."""
 
-    body: float  # kg, all that pitches: rotors, motors, frame
+    body: float  # kg, all parts that pitch: rotors, motors, frame
     counterweight: float  # kg
     arm: float  # m, from the travel axis to the pitch axis
     counterweight_arm: float  # m, from the travel axis to the counterweight
@@ -49,7 +49,7 @@ class Masses(NamedTuple):
 
 
 def coefficients_from_masses(masses: Masses) -> dict[str, float]:
-    """The coefficients of (3) of a rig with these masses and lengths.
+    """Coefficients of (3) by name, of a rig with these masses and lengths.
 
     With m and M the masses of body and counterweight, l, L and p the arms of body, counterweight and rotors, r the
     radius of gyration, d, D and e the drops of body and counterweight and the height of the hinge, the inertias are
@@ -57,7 +57,7 @@ def coefficients_from_masses(masses: Masses) -> dict[str, float]:
         J1 = M L² + m (l² + r²),   J2 = M (L² + D²) + m (l² + (e - d)²),   J3 = m (r² + d²)
 
     and a1 = g (m (e - d) - M D) / J2, a2 = g (m l - M L) / J2, a3 = -g m d / J3, b1 = -l / J1, b2 = -l / J2,
-    b3 = p / J3: the rigid body of `heli_gym.rigid_body` about level hover, each axis on its own.
+    b3 = p / J3: the rigid body of `heli_gym.rigid_body` linearised about level hover, axis by axis.
 
     Raises ValueError for masses or lengths that are not positive, or values that are not finite.
     """
@@ -88,29 +88,28 @@ def coefficients_from_masses(masses: Masses) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Rig:
-    """What is known of a rig. Angles in rad, elevation positive down; voltages and thrusts are (front, back).
+    """Model and data of a rig. Angles in rad, elevation positive down; voltages and thrusts are (front, back).
 
     Args:
-        name: what the rig is called.
-        parameters: the coefficients of (3). Those of the thrust map (2) in them are the `thrust_map`'s where that is
-            (2), and zero where it is not.
+        name: name of the rig.
+        parameters: coefficients of (3). Their k_plus and k_minus are set to those of the `thrust_map` if that is (2),
+            otherwise to zero.
         thrust_map: curves of both rotors; by default (2) with the parameters' coefficients.
         voltage_limits: (min, max) in V of the amplifiers.
         pitch_limit: rad, where a flight ends: the stop of the pitch axis.
-        table_elevation: rad, where the body rests before take-off.
+        table_elevation: rad, of the body on the table before take-off.
         encoder_counts: per revolution of travel, elevation and pitch.
         sample_time: s, of the rig's own controllers.
         lag: s, nominal, first order, of the rotor speed behind the voltage.
-        delay: s, nominal, from a measurement to the voltage that answers it.
-        sensor_signs: +1 or -1, and
-        sensor_zeros: rad, of travel, elevation and pitch: angle = sign * (sensor's angle - zero).
-        limits: what planned flights may use; by default all but a reserve of voltages and pitch in the proportions
-            of (9).
-        source: where the numbers are from.
+        delay: s, nominal, from a measurement to the voltage computed from it.
+        sensor_signs: +1 or -1 of travel, elevation and pitch.
+        sensor_zeros: rad, likewise: angle = sign * (sensor's angle - zero).
+        limits: limits of plans; by default they leave a reserve of voltage and pitch in the proportions of (9).
+        source: origin of the numbers.
 
     Raises:
-        ValueError: names the field, its value and what is allowed, if a value makes no sense, if values contradict each
-            other, or if the rig cannot hover.
+        ValueError: if a value is invalid, values contradict each other, or the rig cannot hover; names the field, its
+            value and the allowed ones.
     """
 
     name: str
@@ -238,21 +237,21 @@ class Rig:
         return np.stack((self.thrust_map.front.slope(u[0]), self.thrust_map.back.slope(u[1])))
 
     def thrust_bounds(self, window: tuple[float, float]) -> tuple[float, float]:
-        """Least and greatest thrust in N that both rotors give within a window of voltages (min, max) in V."""
+        """Range of thrust in N that both rotors reach within a voltage window (min, max) in V."""
         low, high = self.thrust(np.array(window) * np.ones((2, 1))).T
         return float(low.max()), float(high.min())
 
     def hover_voltage(self, elevation: float = 0.0) -> np.ndarray:
-        """Voltages (2,) in V that hold the rig at rest at an elevation in rad; NaN where none do."""
+        """Voltages (2,) in V that hold the rig at rest at an elevation in rad; NaN if there are none."""
         return self.voltage(0.5 * hover_input(elevation, self.parameters)[0] * np.ones(2))
 
     # Other forms
 
     @classmethod
     def from_masses(cls, name: str, masses: Masses | None = None, **values: Any) -> "Rig":
-        """A rig from masses and lengths: `Masses`, or its fields by name, and other fields of `Rig` by name.
+        """Make a rig from masses and lengths: `Masses` or its fields by name, and other fields of `Rig` by name.
 
-        Raises ValueError as `Rig` does, TypeError for an unknown name.
+        Raises ValueError as `Rig`, TypeError for an unknown name.
         """
         if masses is None:
             masses = Masses(**{key: values.pop(key) for key in Masses._fields if key in values})
@@ -262,10 +261,10 @@ class Rig:
     def masses(
         self, arm: float, counterweight_arm: float, rotor_arm: float, gravity: float = GRAVITY, variant: str = "A"
     ) -> Masses:
-        """Masses and lengths with which the coefficients of (3) are this rig's: the inverse of `from_masses`.
+        """Masses and lengths that give this rig's coefficients of (3): the inverse of `from_masses`.
 
-        The arms, in m, have to be known. Of the two solutions for the heights, variant "A" has the pitch axis above the
-        arm, and "B" below it; see `rigid_body.solve_rigid_body`. Raises ValueError if there are none.
+        The arms, in m, must be known. Variant "A" has the pitch axis above the arm, variant "B" below it; see
+        `rigid_body.solve_rigid_body`. Raises ValueError if there is no solution.
         """
         p = self.parameters
         body = solve_rigid_body(variant, p, l_h=arm, l_p=rotor_arm, l_c=counterweight_arm, g=gravity)
@@ -289,9 +288,9 @@ class Rig:
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Rig":
-        """Read a rig from a TOML file, in either form.
+        """Read a rig from a TOML file in either form.
 
-        Raises OSError if it cannot be read, ValueError if a key is missing or unknown, with its line, or a value bad.
+        Raises OSError if the file cannot be read, ValueError with the line if a key is missing, unknown or invalid.
         """
         data = Path(path).read_bytes()
         try:
@@ -301,7 +300,7 @@ class Rig:
 
     @classmethod
     def from_toml(cls, text: str) -> "Rig":
-        """The rig that `load` would read from this text."""
+        """Parse a rig from the text of a rig file."""
         return cls(**_RigFile(text).rig_fields())
 
     def save(self, path: str | os.PathLike) -> None:
@@ -335,7 +334,7 @@ class Rig:
         return tomli_w.dumps(tables)
 
     def differences(self, other: "Rig") -> list[str]:
-        """What sets another rig apart, for messages: one entry a field, with both values."""
+        """Differences to another rig, for messages: one entry per field, with both values."""
         found = []
         for f in fields(self):
             mine, theirs = getattr(self, f.name), getattr(other, f.name)
@@ -355,14 +354,14 @@ class Rig:
 
 
 def same_dynamics(one: Rig, other: Rig) -> bool:
-    """Whether two rigs have the same coefficients and thrust map, whatever they are called."""
+    """Whether two rigs have the same coefficients and thrust map; names are ignored."""
     return (one.parameters, one.thrust_map) == (other.parameters, other.thrust_map)
 
 
 def check_same_rig(what: str, rig: Rig, other: Rig, where: str) -> None:
-    """Raises ValueError, which names what differs, unless two rigs have the same coefficients and thrust map.
+    """Raise ValueError with the differences unless two rigs have the same coefficients and thrust map.
 
-    `what` is for the one rig, and `where` it is used is the other.
+    `what` names the object made for `rig`, and `where` names the place of `other` in the message.
     """
     if not same_dynamics(rig, other):
         names = f"{rig.name!r}" if rig.name != other.name else f"another {rig.name!r}"
@@ -371,11 +370,11 @@ def check_same_rig(what: str, rig: Rig, other: Rig, where: str) -> None:
 
 
 PAPER = Rig("paper", limits=Limits(), source="Kiefer, Graichen, Kugi (2010), Table I and (9)")
-UNNAMED = "unnamed"  # rigs of which only the coefficients are known
+UNNAMED = "unnamed"  # name of rigs with only the coefficients known
 
 
 def rig_of(parameters: HelicopterParameters, limits: Limits = Limits()) -> Rig:
-    """The paper's rig with other coefficients and (2) as its thrust map, for callers that know no more.
+    """The paper's rig with other coefficients and (2) as its thrust map, for callers that only have coefficients.
 
     Its amplifiers and pitch stop are wide enough for the limits.
     """
@@ -391,21 +390,21 @@ def rig_of(parameters: HelicopterParameters, limits: Limits = Limits()) -> Rig:
 
 
 def assumed_rig(reference: Any, rig: "str | os.PathLike | Rig | HelicopterParameters | None" = None) -> Rig:
-    """The rig that a controller assumes: the one given, the paper's with parameters given, or the reference's."""
+    """Rig for the design of a controller: the given one, the paper's with given parameters, or the reference's."""
     if rig is None or rig == reference.rig.parameters:
         return reference.rig
     return rig_of(rig) if isinstance(rig, HelicopterParameters) else find_rig(rig)
 
 
 def rig_names() -> list[str]:
-    """The names of the packaged rigs."""
+    """Names of the packaged rigs."""
     return sorted(path.stem for path in RIGS.glob("*.toml"))
 
 
 def find_rig(rig: "str | os.PathLike | Rig") -> Rig:
-    """A rig by the name of a packaged one, by the path of a .toml file, or the rig itself.
+    """Return a rig by the name of a packaged one, by the path of a .toml file, or the rig itself.
 
-    Raises ValueError for an unknown name, a file that does not exist, or one that describes no rig.
+    Raises ValueError for an unknown name, a missing file, or a file that describes no rig.
     """
     if isinstance(rig, Rig):
         return rig
@@ -432,17 +431,17 @@ TOP = ("name", "source", "pitch_limit", "pitch_limit_deg", "table_elevation", "t
 
 
 class _RigFile:
-    """The text of a rig's file, which knows the lines of its keys."""
+    """Parsed text of a rig file, with the line numbers of its keys."""
 
     def __init__(self, text: str) -> None:
         self.lines = text.splitlines()
         try:
             self.data = tomllib.loads(text)
-        except tomllib.TOMLDecodeError as error:  # says where
+        except tomllib.TOMLDecodeError as error:  # its message has the line
             raise ValueError(f"no TOML: {error}") from error
 
     def line(self, key: str, table: str = "") -> int:
-        """In which line, from 1 on, a key of a table is set; that of the table's heading if it is not there."""
+        """Line number, from 1 on, of a key of a table; that of the table's heading if the key is missing."""
         current, heading = "", 1
         for number, line in enumerate(self.lines, 1):
             title = re.match(r"\s*\[+\s*([^\]]+?)\s*\]+", line)
@@ -459,7 +458,7 @@ class _RigFile:
         return heading
 
     def table(self, name: str, known: tuple[str, ...], required: tuple[str, ...], where: Any = None) -> dict[str, Any]:
-        """A table; raises ValueError for keys that are missing or unknown."""
+        """Return a table. Raises ValueError for missing or unknown keys."""
         data = self.data[name] if where is None else where
         if not isinstance(data, dict):
             raise ValueError(f"line {self.line(name)}: {name} = {data!r}: must be a table, [{name}]")
@@ -474,7 +473,7 @@ class _RigFile:
         return data
 
     def angle(self, data: dict[str, Any], key: str, table: str = "") -> float | None:
-        """A key in rad, or in degrees with `_deg` at its end."""
+        """Value in rad of a key in rad, or in degrees if the key ends in `_deg`; None without the key."""
         in_degrees = f"{key}_deg"
         if key in data and in_degrees in data:
             raise ValueError(f"line {self.line(in_degrees, table)}: {in_degrees!r}: must not stand beside {key!r}")
@@ -485,7 +484,7 @@ class _RigFile:
         return data.get(key)
 
     def rig_fields(self) -> dict[str, Any]:
-        """The arguments of `Rig`."""
+        """Arguments of `Rig` by name."""
         for key in self.data:
             if key not in TABLES + TOP:
                 raise ValueError(
@@ -539,7 +538,7 @@ class _RigFile:
         return {key: value for key, value in found.items() if value is not None}
 
     def thrust_map(self) -> ThrustMap:
-        """That of the table [thrust], or of [thrust.front] and [thrust.back]."""
+        """Thrust map of the table [thrust], or of [thrust.front] and [thrust.back]."""
         data = self.data["thrust"]
         if isinstance(data, dict) and ("front" in data or "back" in data):
             both = self.table("thrust", ("front", "back"), ("front", "back"))
@@ -548,7 +547,7 @@ class _RigFile:
         return ThrustMap(curve, curve)
 
     def curve(self, name: str, data: Any) -> ThrustCurve:
-        """One rotor's: a table of coefficients, or of points."""
+        """Thrust curve of one rotor, from a table of coefficients or of points."""
         points = ("voltages", "thrusts")
         if isinstance(data, dict) and set(points) & set(data):
             table = self.table(name, points, points, data)
@@ -563,20 +562,20 @@ class _RigFile:
 
 
 def _curve_table(curve: ThrustCurve) -> dict[str, Any]:
-    """A curve as a table of the file."""
+    """Table of a rig file that describes a curve."""
     if isinstance(curve, TableCurve):
         return {"voltages": list(curve.voltages), "thrusts": list(curve.thrusts)}
     return {key: float(value) for key, value in curve._asdict().items()}
 
 
 def _angle(key: str, value: float) -> dict[str, float]:
-    """An angle in rad as an entry of the file: in degrees, where these mean the very same number."""
+    """Entry of a rig file for an angle in rad: in degrees if that converts back to exactly the same number."""
     rounded = round(math.degrees(value), 9)
     return {f"{key}_deg": rounded} if math.radians(rounded) == value else {key: float(value)}
 
 
 def _describe(thrust_map: ThrustMap) -> str:
-    """A thrust map in a few words."""
+    """Short description of a thrust map, for messages."""
 
     def words(curve: ThrustCurve) -> str:
         if isinstance(curve, TableCurve):

@@ -15,12 +15,12 @@ from heli_gym.parameters import HelicopterParameters, Scalar
 from heli_gym.storage import atomic_write
 
 VARIANTS = ("A", "B")
-LEVEL = 1e-14  # relative, of a moment of inertia: squared heights below it are rounding
+LEVEL = 1e-14  # relative to a moment of inertia: smaller squared heights are rounding
 MODELS = Path(__file__).parent / "models"
 
 
 class RigidBodyParameters(NamedTuple):
-    """Geometry and masses of the rig, as `solve_rigid_body` finds them. Fields may hold (N,) values."""
+    """Geometry and masses of the rig, as `solve_rigid_body` returns them. Fields may be arrays (N,)."""
 
     l_h: Scalar  # m, from the travel axis to the body
     l_p: Scalar  # m, from the pitch axis to a rotor
@@ -44,14 +44,14 @@ def solve_rigid_body(
     l_c: Scalar = 0.4699,
     g: Scalar = 9.81,
 ) -> RigidBodyParameters:
-    """The rig of this geometry (m, m/s²) whose linearisation about level hover has the coefficients of (3).
+    """Rig of this geometry (m, m/s²) whose linearisation about level hover has the coefficients of (3).
 
-    Each axis has them exactly while the other two are held, which is how (3) takes the axes. Released, the product of
-    inertia between travel and pitch makes a3 2.6 % and b1 0.2 % smaller and b3 0.02 % larger. Two rigs qualify:
-    "A", the pitch hinge above the arm and the counterweight below it, and "B", the body hung below the arm. The
-    centrifugal lift of the one is downwards, of the other upwards.
+    The coefficients of each axis are exact while the other two axes are locked, the assumption of (3). With all axes
+    free, the product of inertia between travel and pitch makes a3 2.6 % and b1 0.2 % smaller and b3 0.02 % larger.
+    There are two solutions: variant "A" has the pitch hinge above the arm and the counterweight below it, variant "B"
+    the body below the arm. The centrifugal lift is downwards in "A" and upwards in "B".
 
-    Raises ValueError for another variant, and if no rig of this geometry qualifies.
+    Raises ValueError for another variant, or if there is no solution for this geometry.
     """
     if variant not in VARIANTS:
         raise ValueError(f"variant = {variant!r}: must be one of {', '.join(map(repr, VARIANTS))}")
@@ -75,7 +75,7 @@ def solve_rigid_body(
     # D22 = m_c (l_c² + d_c²) + m_h (l_h² + (e_h - d_h)²), with m_h (e_h - d_h) = up + m_c d_c
     rest = D22 - m_c * l_c**2 - m_h * l_h**2
     discriminant = up**2 - (m_h + m_c) * (up**2 - m_h * rest) / m_c
-    # zero but for rounding, where hinge and counterweight are level with the arm
+    # only rounding where hinge and counterweight are level with the arm: set to zero
     discriminant = discriminant * (abs(discriminant) > LEVEL * (m_h + m_c) * m_h * D22 / m_c)
     if not np.all((m_c > 0.0) & (r2 > 0.0) & (discriminant >= 0.0)):
         raise ValueError(
@@ -123,13 +123,13 @@ def coriolis(ce: Any, se: Any, cf: Any, sf: Any, w1: Any, w2: Any, w3: Any, p: R
 
 
 def gravity(ce: Any, se: Any, cf: Any, sf: Any, p: RigidBodyParameters) -> tuple:
-    """The gradient of the potential energy in N m."""
+    """Gradient of the potential energy in N m."""
     out = p.m_h * (p.l_h * ce - (p.e_h - p.d_h * cf) * se) - p.m_c * (p.l_c * ce - p.d_c * se)
     return 0.0, p.g * out, p.g * p.m_h * p.d_h * sf * ce
 
 
 def generalised_forces(ce: Any, se: Any, cf: Any, sf: Any, v1: Any, v2: Any, p: RigidBodyParameters) -> tuple:
-    """Torques in N m of the thrusts and of the drag of the two rotors, which turn in opposite senses."""
+    """Torques in N m of the thrust and drag of the two rotors, which turn in opposite directions."""
     drag = -p.kappa * v2
     return (
         -v1 * sf * (p.l_h * ce - p.e_h * se) + p.l_p * se * v2 + drag * ce * cf,
@@ -139,7 +139,7 @@ def generalised_forces(ce: Any, se: Any, cf: Any, sf: Any, v1: Any, v2: Any, p: 
 
 
 def solve_symmetric(D: tuple, f: tuple) -> tuple:
-    """The solution a of D a = f, by cofactors."""
+    """Solve D a = f for a, by cofactors."""
     D11, D22, D33, D12, D13, D23 = D
     f1, f2, f3 = f
     C11, C22, C33 = D22 * D33 - D23**2, D11 * D33 - D13**2, D11 * D22 - D12**2
@@ -155,7 +155,7 @@ def solve_symmetric(D: tuple, f: tuple) -> tuple:
 def rigid_dynamics(x: Any, v: Any, p: RigidBodyParameters, sin: Any = np.sin, cos: Any = np.cos) -> tuple:
     """Time derivative of the state x (6, ...) under the virtual input v (2, ...) in N, in the full model.
 
-    The contract of `heli_gym.model.dynamics`: whatever supports arithmetic, with `sin` and `cos` to suit.
+    Accepts the same types as `heli_gym.model.dynamics`, with matching `sin` and `cos`.
     """
     _, dq1, q2, dq2, q3, dq3 = x
     v1, v2 = v
@@ -169,7 +169,7 @@ def rigid_dynamics(x: Any, v: Any, p: RigidBodyParameters, sin: Any = np.sin, co
 
 
 def energy(x: Any, p: RigidBodyParameters, sin: Any = np.sin, cos: Any = np.cos) -> Any:
-    """Kinetic and potential energy in J of the state x (6, ...); the potential is that of heights above the pivot."""
+    """Kinetic and potential energy in J of the state x (6, ...); potential energy is zero at the pivot's height."""
     _, w1, q2, dq2, q3, w3 = x
     w2 = -dq2
     ce, se, cf, sf = cos(q2), -sin(q2), cos(q3), sin(q3)
@@ -180,8 +180,8 @@ def energy(x: Any, p: RigidBodyParameters, sin: Any = np.sin, cos: Any = np.cos)
 
 
 def mjcf(p: RigidBodyParameters) -> str:
-    """The rig for MuJoCo: qpos and qvel are q and dq, signs included, and ctrl holds the thrusts (front, back) in N."""
-    # The inertia of a point mass is zero; MuJoCo wants more than 1e-15 kg m² about every axis.
+    """MuJoCo model of the rig: qpos and qvel are q and dq with the same signs, ctrl the thrusts (front, back) in N."""
+    # The inertia of a point mass is zero; MuJoCo rejects less than 1e-15 kg m² about any axis.
     nil, roll = "2e-15", repr(p.m_h * p.r**2)
     return f"""\
 <!-- Written by python -m heli_gym.rigid_body.

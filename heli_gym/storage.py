@@ -1,4 +1,4 @@
-"""Files that are either written whole or not at all, and locks for what is read, changed and written back."""
+"""Atomic writes of files, and locks for files that are read, changed and written back."""
 
 import os
 import secrets
@@ -10,16 +10,16 @@ from typing import BinaryIO
 
 try:
     import fcntl
-except ImportError:  # Windows: an open file cannot be removed there, which serves for the same
+except ImportError:  # Windows, where an open file cannot be removed: that replaces the lock
     fcntl = None  # type: ignore[assignment]
 
 
 @contextmanager
 def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
-    """A file to write to, which takes its name only when all has been written; folders are made as needed.
+    """Open a temporary file for writing, and rename it to `path` when the block succeeds. Missing folders are made.
 
-    Any number of threads and processes may write the same file: one of them wins. What a process left unfinished that
-    was killed is removed by the next one that writes the file.
+    Any number of threads and processes may write the same file: one of them wins. Temporary files of killed processes
+    are removed by the next process that writes the file.
     """
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -38,17 +38,17 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
 
 
 def remove_unfinished(path: Path) -> None:
-    """Remove the temporary files of processes that were killed while they wrote this file."""
+    """Remove temporary files of processes that were killed while they wrote this file."""
     for name in os.listdir(path.parent):
         if name.startswith(f".{path.name}.") and name.endswith(".tmp"):
             with suppress(OSError), open(path.with_name(name), "rb") as file:
-                # The lock serves for writers on other machines, the number for one that has yet to lock its file.
+                # The lock covers writers on other machines, the process number a writer before its lock.
                 if try_lock(file) and not is_alive(name):
                     path.with_name(name).unlink()
 
 
 def is_alive(name: str) -> bool:
-    """Whether the process that a temporary file is named after runs on this machine."""
+    """Whether the process whose number is in the name of a temporary file runs on this machine."""
     pid = name.split(".")[-2].partition("-")[0]
     try:
         os.kill(int(pid), 0)
@@ -60,7 +60,7 @@ def is_alive(name: str) -> bool:
 
 
 def try_lock(file: BinaryIO) -> bool:
-    """Lock an open file unless it is locked; whether that worked. The lock goes with the file and the process."""
+    """Try to lock an open file; return whether it worked. Closing the file or ending the process releases the lock."""
     if fcntl is None:
         return True
     try:
@@ -72,9 +72,9 @@ def try_lock(file: BinaryIO) -> bool:
 
 @contextmanager
 def locked(path: str | os.PathLike) -> Iterator[None]:
-    """Wait until nobody else, thread or process, holds the lock of this file, and hold it.
+    """Hold the lock of this file; wait while another thread or process holds it.
 
-    For what is read, changed and written back: `with locked(path): ...`.
+    Protects reading, changing and writing back: `with locked(path): ...`.
     """
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -83,7 +83,7 @@ def locked(path: str | os.PathLike) -> Iterator[None]:
         with open(lock, "ab") as file:
             if fcntl is not None:
                 fcntl.flock(file, fcntl.LOCK_EX)
-            # Whoever held it has removed it: another file has its name now, or none.
+            # The previous holder has removed this file: its name now belongs to another file, or to none.
             try:
                 if os.fstat(file.fileno()).st_ino != lock.stat().st_ino:
                     continue
@@ -98,10 +98,10 @@ def locked(path: str | os.PathLike) -> Iterator[None]:
 
 
 def check_folder(name: str, path: str | os.PathLike) -> None:
-    """Refuse a folder that cannot be written to, before anything is done for it. Nothing is left there.
+    """Check before a long computation that a folder can be written to. Leaves nothing behind.
 
-    Raises ValueError unless the path is a folder, or can become one, and OSError if the operating system refuses to
-    write there, because of permissions or a full disk.
+    Raises ValueError unless the path is or can become a folder, and OSError if the operating system cannot write
+    there, because of permissions or a full disk.
     """
     path = Path(path)
     if "\0" in str(path):

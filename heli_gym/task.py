@@ -1,6 +1,6 @@
-"""What the environment defines: action, observation, reward, cost, termination and success.
+"""Definition of the task: action, observation, reward, cost, termination and success.
 
-Pure functions that broadcast: components first, floats or arrays alike.
+Pure functions of floats or arrays that broadcast, components first.
 """
 
 import math
@@ -13,29 +13,29 @@ from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.trajectory import Trajectory
 
 PREVIEW = (0.0, 0.1, 0.2, 0.4, 0.8)  # s ahead, at which the observation shows the reference
-FEATURES = 8 * len(PREVIEW)  # entries of an observation that depend on the reference and the time alone
+FEATURES = 8 * len(PREVIEW)  # entries of an observation that depend only on the reference and the time
 OBSERVED = 8 + FEATURES  # entries of an observation: tracking error, last voltages, features
 TABLE_WIDTH = 8 + FEATURES  # numbers of a reference at one control step: state, nominal voltages, features
 
-# The units of an observation: the same for every plant, reference, rig, period and limit.
+# Units of an observation, the same for every plant, reference, rig, control period and limit.
 STATE_SCALE = (1.0, 1.0, 0.25, 0.5, 0.5, 2.0)  # rad and rad/s, of tracking errors and of the reference
 VOLTAGE_CENTRE, VOLTAGE_SCALE = 6.0, 6.0  # V
 TIME_SCALE = 10.0  # s
-OBSERVATION_LIMIT = 10.0  # units, at which every entry saturates: 10 rad of travel error, 5 rad of pitch, 66 V, 100 s
+OBSERVATION_LIMIT = 10.0  # units, saturation of every entry: 10 rad of travel error, 5 rad of pitch, 66 V, 100 s
 
-# The tracking error (travel, elevation, pitch, each with its rate; rad and rad/s) that counts as one in the reward,
-# and within which the flight has succeeded at its end.
+# Tracking error (travel, elevation, pitch, each with its rate; rad and rad/s) that counts as one in the reward, and
+# bound of a successful end of the flight.
 TOLERANCE = tuple(math.radians(degrees) for degrees in (3.0, 6.0, 3.0, 6.0, 6.0, 30.0))
 EFFORT_TOLERANCE = 6.0  # V, from the nominal voltage, likewise
 
 FARTHEST_START = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # rad and rad/s, between a start and the reference's
-HOVER_MARGIN = 0.05  # of the amplifier's range, which hover leaves at either end where it is the action zero
+HOVER_MARGIN = 0.05  # share of the amplifier's range: closer to an end, hover is not the action zero
 
 
 def to_voltage(action: Any, voltage_limits: tuple[float, float], hover: Any) -> Any:
-    """Voltages in V of actions in [-1, 1]: zero is `hover` in V, -1 and 1 are the amplifier's limits, linear between.
+    """Convert actions in [-1, 1] to voltages in V: 0 is `hover` in V, -1 and 1 are the amplifier's limits.
 
-    Element by element; `hover` is one number, or the voltages of both fans.
+    Piecewise linear, element by element; `hover` is one number or the voltages of both fans.
     """
     low, high = voltage_limits
     up, down = 0.5 * (action + abs(action)), 0.5 * (action - abs(action))
@@ -43,7 +43,7 @@ def to_voltage(action: Any, voltage_limits: tuple[float, float], hover: Any) -> 
 
 
 def to_action(u: Any, voltage_limits: tuple[float, float], hover: Any) -> Any:
-    """Actions of voltages in V, the inverse of `to_voltage`."""
+    """Convert voltages in V to actions: the inverse of `to_voltage`."""
     low, high = voltage_limits
     off = u - hover
     return 0.5 * (off + abs(off)) / (high - hover) + 0.5 * (off - abs(off)) / (hover - low)
@@ -52,7 +52,7 @@ def to_action(u: Any, voltage_limits: tuple[float, float], hover: Any) -> Any:
 def hover_voltage(parameters: HelicopterParameters, voltage_limits: tuple[float, float]) -> np.ndarray:
     """Voltages (2,) in V that hold (3) at rest with the arm level: the action zero.
 
-    The middle of the amplifier's limits where hover is not within them, by a margin.
+    Returns the middle of the amplifier's limits unless hover is within them by HOVER_MARGIN.
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         u = voltage(np.array(fan_thrusts(hover_input(0.0, parameters))), parameters)
@@ -60,14 +60,14 @@ def hover_voltage(parameters: HelicopterParameters, voltage_limits: tuple[float,
 
 
 def within_limits(u: Any, voltage_limits: tuple[float, float]) -> np.ndarray:
-    """Voltages that are within the amplifier's limits by a margin; the middle of these where they are not."""
+    """Voltages u; where one is not within the amplifier's limits by HOVER_MARGIN, the middle of these limits."""
     low, high = voltage_limits
     margin = HOVER_MARGIN * (high - low)
     return np.where((low + margin <= u) & (u <= high - margin), u, 0.5 * (low + high))
 
 
 def observed_error(error: Any) -> tuple:
-    """A tracking error (6, ...) in the units of an observation."""
+    """Tracking error (6, ...) in the units of an observation."""
     e1, e2, e3, e4, e5, e6 = error
     s1, s2, s3, s4, s5, s6 = STATE_SCALE
     return e1 / s1, e2 / s2, e3 / s3, e4 / s4, e5 / s5, e6 / s6
@@ -79,11 +79,11 @@ def observed_voltage(u: Any) -> Any:
 
 
 def reward(error: Any, du: Any) -> Any:
-    """One second's reward, in (0, 1], at a tracking error (6, ...) in rad and rad/s and voltages du (2, ...) in V from
-    the nominal ones.
+    """Reward per second, in (0, 1], of a tracking error (6, ...) in rad and rad/s and voltage deviations du (2, ...).
 
-    1 on the reference, 1/2 where the squares of all errors, each in units of its tolerance, add up to 1. It is never
-    negative, so that ending an episode early never pays, and falls slowly, so that it tells better from worse far away.
+    It is 1 on the reference and 1/2 where the squared errors, each in units of its tolerance, sum to 1. It is positive,
+    so that ending an episode early never pays, and decays slowly, so that it has a gradient far from the reference. The
+    deviations are from the nominal voltages, in V.
     """
     e1, e2, e3, e4, e5, e6 = error
     t1, t2, t3, t4, t5, t6 = TOLERANCE
@@ -92,13 +92,13 @@ def reward(error: Any, du: Any) -> Any:
 
 
 def cost(pitch: Any, u: Any, limits: Limits | Any) -> Any:
-    """How far pitch in rad and voltages u (2, ...) in V are outside the limits (9), in widths of the limits."""
+    """Excess of pitch in rad and voltages u (2, ...) in V over the limits (9), in limit widths."""
     low, high = limits.u_min, limits.u_max
     return excess(pitch, limits.pitch_min, limits.pitch_max) + excess(u[0], low, high) + excess(u[1], low, high)
 
 
 def excess(value: Any, low: Any, high: Any) -> Any:
-    """How far a value is outside of [low, high], in widths of that."""
+    """Excess of a value over the interval [low, high], in interval widths."""
     outside = abs(value - 0.5 * (low + high)) - 0.5 * (high - low)
     return 0.5 * (outside + abs(outside)) / (high - low)
 
@@ -117,26 +117,25 @@ def succeeded(error: Any) -> Any:
 
 
 def control_steps(duration: float, control_period: float) -> int:
-    """How many control periods a maneuver takes; the last one may outlast it."""
+    """Number of control periods of a maneuver; the last one may extend past its end."""
     return max(1, math.ceil(duration / control_period - 1e-9))
 
 
 def control_grid(reference: Trajectory, control_period: float, ahead: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
-    """A reference on the grid of a controller with this period in s: states (6, K + 1) and voltages (2, K + 1).
+    """Sample a reference on a controller's grid, period in s: states (6, K + 1) and voltages (2, K + 1).
 
-    With `ahead`, that many seconds early.
-    States at the start of each period, voltages in its middle: an input that is held for a period is half a period
-    late on average, and this makes up for it.
+    States are at the start of each period, voltages in its middle, which compensates the mean delay of half a period of
+    a held input. `ahead`, in s, shifts both to later times of the reference.
     """
     t = ahead + control_period * np.arange(control_steps(reference.duration, control_period) + 1)
     return reference(t)[0], reference(t + 0.5 * control_period)[1]
 
 
 def reference_table(reference: Trajectory, control_period: float) -> np.ndarray:
-    """A reference at each control step, (TABLE_WIDTH, K + 1): state, nominal voltages, features of the observation.
+    """Reference at each control step, (TABLE_WIDTH, K + 1): state, nominal voltages, features of the observation.
 
-    The features are, at each time of PREVIEW ahead, the travel from now on (not at 0 s, where it is zero), the other
-    five of the state, the nominal voltages; then the remaining time. All of them in their units, and saturated.
+    The features at each PREVIEW time are the travel relative to now (omitted at 0 s, where it is zero), the other five
+    state components and the nominal voltages; the last feature is the remaining time. All are scaled and saturated.
     """
     ahead = [control_grid(reference, control_period, seconds) for seconds in PREVIEW]
     (x, u), rows = ahead[0], []

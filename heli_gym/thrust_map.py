@@ -1,7 +1,7 @@
-"""Thrust of a rotor over its voltage: power laws, of which (2) is one, and measured points.
+"""Thrust of a rotor over its voltage: power laws, including (2), and measured points.
 
-Each curve has `thrust`, its exact inverse `voltage`, and `slope`. Curves rise monotonically. They work on arrays; the
-formula of the power laws is `heli_gym.model.power_thrust`, which the compiled kernels use too.
+Each curve has `thrust`, its exact inverse `voltage`, and `slope`, all for arrays. Curves rise monotonically. The power
+law itself is `heli_gym.model.power_thrust`, shared with the compiled kernels.
 """
 
 import math
@@ -14,8 +14,8 @@ import numpy as np
 from heli_gym.model import power_thrust
 from heli_gym.parameters import Scalar
 
-EXPONENTS = (0.5, 2.0)  # identified ones of real rigs lie between 0.94 and 1.74; (2) has 2, a linear map 1
-ITERATIONS = 80  # of bisection at most, when a cubic is inverted; Newton's steps need about six
+EXPONENTS = (0.5, 2.0)  # identified rigs have 0.94 to 1.74; (2) has 2, a linear map 1
+ITERATIONS = 80  # at most, of bisection when a cubic is inverted; Newton's method takes about six
 
 
 class PowerCurve(NamedTuple):
@@ -34,7 +34,7 @@ class PowerCurve(NamedTuple):
         return power_thrust(u, *self)
 
     def voltage(self, f: Any) -> Any:
-        """Voltage in V for the thrust f in N; without backward thrust (k_minus = 0), 0 V for a negative one."""
+        """Voltage in V for the thrust f in N; 0 V for a negative thrust if k_minus = 0."""
         f = np.asarray(f, dtype=float)
         k = np.where(f >= 0.0, self.k_plus, self.k_minus)
         ratio = np.divide(f, k, out=np.zeros(np.broadcast(f, k).shape), where=k != 0.0)
@@ -53,7 +53,7 @@ class PowerCurve(NamedTuple):
         return np.where((beyond > 0.0) | (self.dead_zone == 0.0), steepness, 0.0)
 
     def check(self, name: str) -> None:
-        """Raises ValueError for coefficients that make no rising curve."""
+        """Raise ValueError unless the coefficients give a rising curve."""
         for field in ("k_plus", "k_minus", "exponent", "dead_zone"):
             require(f"{name}.{field}", getattr(self, field), True, "a number")
         require(f"{name}.k_plus", self.k_plus, self.k_plus > 0.0, "a positive number")
@@ -67,11 +67,11 @@ class PowerCurve(NamedTuple):
 class TableCurve:
     """Measured points, interpolated by monotone cubics (PCHIP; Fritsch and Butland, 1984).
 
-    Beyond its ends the curve goes on straight, at the slope between the last two points.
+    Beyond its ends the curve is extrapolated linearly, with the slope between the last two points.
 
     Args:
-        voltages: (K,) in V, rising.
-        thrusts: (K,) in N, not falling, and rising at both ends.
+        voltages: (K,) in V, increasing.
+        thrusts: (K,) in N, nondecreasing, and increasing at both ends.
     """
 
     voltages: tuple[float, ...]
@@ -79,14 +79,14 @@ class TableCurve:
 
     @cached_property
     def cubics(self) -> Any:
-        """The curve between its ends."""
-        from scipy.interpolate import PchipInterpolator  # takes longer to import than all else here
+        """Interpolator between the ends of the curve."""
+        from scipy.interpolate import PchipInterpolator  # slow import
 
         return PchipInterpolator(self.voltages, self.thrusts)
 
     @cached_property
     def end_slopes(self) -> tuple[float, float]:
-        """Of the curve below and above the points, in N/V."""
+        """Slopes in N/V below the first and above the last point."""
         u, f = self.voltages, self.thrusts
         return (f[1] - f[0]) / (u[1] - u[0]), (f[-1] - f[-2]) / (u[-1] - u[-2])
 
@@ -98,9 +98,9 @@ class TableCurve:
         return self.cubics(inside) + low * np.minimum(u - inside, 0.0) + high * np.maximum(u - inside, 0.0)
 
     def voltage(self, f: Any) -> Any:
-        """Voltage in V for the thrust f in N: on the cubics by Newton's method within a bisection.
+        """Voltage in V for the thrust f in N, on the cubics by Newton's method safeguarded by bisection.
 
-        Where the curve is level, 0 V if that is on it, and else the lowest.
+        On a level part of the curve, returns 0 V if it belongs to that part, otherwise the lowest voltage.
         """
         f = np.asarray(f, dtype=float)
         us, fs = np.array(self.voltages), np.array(self.thrusts)
@@ -132,7 +132,7 @@ class TableCurve:
         return np.where(u < self.voltages[0], low, np.where(u > self.voltages[-1], high, inside))
 
     def check(self, name: str) -> None:
-        """Raises ValueError for points that make no rising curve."""
+        """Raise ValueError unless the points give a rising curve."""
         for field in ("voltages", "thrusts"):
             values = getattr(self, field)
             if len(values) != len(self.voltages) or len(values) < 2:
@@ -151,19 +151,19 @@ ThrustCurve: TypeAlias = PowerCurve | TableCurve
 
 @dataclass(frozen=True)
 class ThrustMap:
-    """The curves of the front and of the back rotor."""
+    """Thrust curves of the front and the back rotor."""
 
     front: ThrustCurve
     back: ThrustCurve
 
     @cached_property
     def is_quadratic(self) -> bool:
-        """Whether it is (2): one pair of coefficients for both rotors."""
+        """Whether the map is (2), with the same two coefficients for both rotors."""
         same = self.front == self.back and isinstance(self.front, PowerCurve)
         return same and (self.front.exponent, self.front.dead_zone) == (2.0, 0.0)  # type: ignore[union-attr]
 
     def check(self, name: str) -> None:
-        """Raises ValueError for a curve that is none, or that does not rise."""
+        """Raise ValueError unless both fields are rising curves."""
         for rotor in ("front", "back"):
             curve = getattr(self, rotor)
             if not isinstance(curve, PowerCurve | TableCurve):
@@ -177,6 +177,6 @@ def is_number(value: Any) -> bool:
 
 
 def require(name: str, value: Any, allowed: bool, what: str) -> None:
-    """Raises ValueError unless the value is a finite number, and allowed."""
+    """Raise ValueError unless the value is a finite number and allowed."""
     if not is_number(value) or not allowed:
         raise ValueError(f"{name} = {value!r}: must be {what}{'' if is_number(value) else ', and finite'}")

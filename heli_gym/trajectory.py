@@ -1,4 +1,4 @@
-"""Maneuver (what is asked for) and Trajectory (a plan or a flight)."""
+"""Maneuver (a transition to plan) and Trajectory (a plan or a flight)."""
 
 import math
 import os
@@ -15,29 +15,28 @@ from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.rig import PAPER, UNNAMED, Rig, check_same_rig, find_rig, rig_of
 from heli_gym.storage import atomic_write
 
-LARGEST_GAP = 1e-9  # rad and rad/s, between the end of a trajectory and the start of the one that is joined to it
+LARGEST_GAP = 1e-9  # rad and rad/s, between the end of a trajectory and the start of the next
 
 
 @dataclass(frozen=True)
 class Maneuver:
-    """A transition between two set-points at rest with zero pitch, (5). The defaults are the paper's (8), (9).
+    """Transition between two set-points at rest with zero pitch, (5). The defaults are the paper's (8), (9).
 
     Args:
         start: travel and elevation in rad at the start.
         goal: travel and elevation in rad at the end.
         duration: transition time T in s.
-        limits: voltages and pitch that the plan may use, (6) and (7); by default the rig's, which for the paper's are
-            (9).
-        parameters: the coefficients of (3), the rig's by default; without a rig, of (2) and (3).
+        limits: limits (6), (7) of the plan's voltages and pitch; the rig's by default, which are (9) for the paper's.
+        parameters: coefficients of (3), the rig's by default; without a rig, of (2) and (3).
         rig: the rig that flies, or its name or file; "paper" by default.
-        floor: travel (N,), increasing, and elevation (N,) in rad: a line in space, linear in between and level outside,
-            at or above which the helicopter stays (q2 at most the line's elevation, since elevation is positive down).
-        start_state: state (6,) in place of start: one that is not at rest.
-        goal_state: state (6,) in place of goal: one that is not at rest.
+        floor: travel (N,), increasing, and elevation (N,) in rad of a polyline, level beyond its ends. The helicopter
+            stays on or above it: q2 is at most the line's elevation, since elevation is positive down.
+        start_state: state (6,) instead of start, if not at rest.
+        goal_state: state (6,) instead of goal, if not at rest.
 
     Raises:
-        ValueError: if a value is not finite, the duration is not positive, hover at the start or at the goal needs
-            voltages outside the limits, or parameters and rig contradict each other.
+        ValueError: if a value is not finite, the duration is not positive, hover at the start or at the goal exceeds
+            the voltage limits, or parameters and rig contradict each other.
     """
 
     start: tuple[float, float] = (0.0, 0.0)
@@ -108,7 +107,7 @@ class Maneuver:
 
     @property
     def is_from_rest_to_rest(self) -> bool:
-        """Whether neither end has a state of its own."""
+        """Whether both ends are at rest, given by `start` and `goal`."""
         return self.start_state is None and self.goal_state is None
 
     def __str__(self) -> str:
@@ -120,7 +119,7 @@ class Maneuver:
 
 
 def checked_floor(floor: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """The floor as plain numbers. Raises ValueError unless it is a line over an increasing travel."""
+    """Return the floor as tuples of floats. Raises ValueError unless its travel increases."""
     try:
         travel, elevation = (np.asarray(row, dtype=float) for row in floor)
         fits = travel.ndim == 1 and travel.shape == elevation.shape and len(travel) > 1
@@ -139,10 +138,10 @@ class Trajectory:
     Args:
         t: (K,) times in s, increasing from 0.
         x: (6, K) states (44) in rad and rad/s.
-        u: (2, K) voltages (front, back) in V. Those of a plan are linear in between; those of a flight were held from
-            each sample to the next.
-        limits: the limits it was planned under, (9) by default.
-        rig: the rig that it is for or of, the paper's by default.
+        u: (2, K) voltages (front, back) in V; linear between the samples of a plan, held from each sample to the next
+            in a flight.
+        limits: limits of the plan, (9) by default.
+        rig: rig of the plan or flight, the paper's by default.
 
     Raises:
         ValueError: if a shape does not fit, a value is not finite, or t does not increase from 0.
@@ -189,16 +188,16 @@ class Trajectory:
         return float(self.t[-1])
 
     def __call__(self, t: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """State (6, ...) and voltages (2, ...) at the times t in s; before and after, the ends are held.
+        """State (6, ...) and voltages (2, ...) at the times t in s; constant before the start and after the end.
 
-        Angles by cubic Hermite interpolation of angles and rates, rates by its derivative (so that the
-        one stays the derivative of the other), voltages linearly (so that limits are kept in between).
+        Angles are cubic Hermite interpolants of angles and rates, and rates their derivatives, so that both stay
+        consistent. Voltages are linear, so that they meet their limits between the samples.
         """
         times = np.clip(np.asarray(t, dtype=float), 0.0, self.duration)
         k = np.clip(np.searchsorted(self.t, times, side="right") - 1, 0, len(self.t) - 2)
         h = self.t[k + 1] - self.t[k]
         s = (times - self.t[k]) / h
-        last, new = self.x.take(k, axis=1), self.x.take(k + 1, axis=1)  # quicker than by an index
+        last, new = self.x.take(k, axis=1), self.x.take(k + 1, axis=1)  # faster than indexing
         rise, start, end = new[0::2] - last[0::2], h * last[1::2], h * new[1::2]
         a, b = 3.0 * rise - 2.0 * start - end, start + end - 2.0 * rise
         x = np.empty((6, *times.shape))
@@ -218,13 +217,13 @@ class Trajectory:
 
     @classmethod
     def load(cls, path: str | os.PathLike, rig: "str | os.PathLike | Rig | None" = None) -> "Trajectory":
-        """Read what `save` wrote; files from before they knew their rig are the paper's.
+        """Read a file written by `save`; a file without a rig is for the paper's.
 
-        Raises ValueError if the file is something else, or if it is for another rig than the one given, naming what
-        differs.
+        Raises ValueError if the file holds no trajectory, or if it is for another rig than the given one, with the
+        differences.
         """
         try:
-            # opened here, so that it is closed whatever it turns out to hold
+            # opened here, so that it is closed even if its content is invalid
             with open(path, "rb") as file, np.load(file, allow_pickle=False) as data:
                 values: list[Any] = [None if math.isnan(limit) else float(limit) for limit in data["limits"]]
                 limits = Limits(*values)
@@ -240,20 +239,20 @@ class Trajectory:
 
 
 class Sampler(Protocol):
-    """Draws a reference for every flight; the same from the same state of the generator. `baselines` has one."""
+    """Source of a reference for every flight, reproducible from the generator's state, as `ManeuverSampler`."""
 
     @property
     def duration(self) -> float:
-        """Of the longest reference it draws, in s."""
+        """Duration in s of the longest reference that it draws."""
 
     def __call__(self, rng: np.random.Generator) -> Trajectory:
-        """The reference of one flight."""
+        """Draw the reference of one flight."""
 
 
 def concatenate(first: Trajectory, second: Trajectory) -> Trajectory:
-    """The one trajectory, then the other, which starts where the first ends; the limits are the first's.
+    """Join two trajectories, the second starting in the last state of the first; the limits are the first's.
 
-    Raises ValueError if the second starts in another state, or if they were planned under different limits.
+    Raises ValueError if the second starts in another state, or if their limits differ.
     """
     gap = np.abs(second.x[:, 0] - first.x[:, -1]).max()
     if gap > LARGEST_GAP:

@@ -1,4 +1,4 @@
-"""Heli3DOF-v0, many helicopters at once: what `gymnasium.make_vec` makes."""
+"""Vector version of Heli3DOF-v0, as `gymnasium.make_vec` creates it."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -33,30 +33,30 @@ from heli_gym.simulation.layout import COMMAND, COST, MEASURED, REWARD, SUCCEEDE
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
 
-MOST_ENVS = 2**20  # helicopters, which take 1 GB
+MOST_ENVS = 2**20  # helicopters, in 1 GB of memory
 MOST_STEPS = 2**31  # of an episode
 MOST_THREADS = 256
 
 
 class Heli3DOFVectorEnv(VectorEnv):
-    """Many helicopters in one array; each flies what a `Heli3DOFEnv` with the same seed flies.
+    """Many helicopters in one array; each flight equals that of a `Heli3DOFEnv` with the same seed.
 
-    Spaces, rewards, ends of episodes and arguments are those of `Heli3DOFEnv`, whose docstring describes them. Besides:
+    Spaces, rewards, ends of episodes and arguments are those of `Heli3DOFEnv`; these are new or different:
 
     Args:
-        num_envs: how many helicopters.
-        plant: one for all, or a sequence of one each; either all have a rig, or none.
-        reference: one for all, or a sequence of one each. Where a sampler draws them, each helicopter has its own.
+        num_envs: number of helicopters.
+        plant: one for all, or a sequence with one for each; all or none of them must be rigid bodies.
+        reference: one for all, or a sequence with one for each. A sampler draws a separate one for each helicopter.
         autoreset_mode: "NextStep", "SameStep" or "Disabled", or gymnasium's `AutoresetMode`.
-        max_episode_steps: at which flights are truncated, where that is before the end of their maneuver.
-        dtype: of the simulation, "float64" or "float32", which is faster for many helicopters. Over an open-loop flight
-            its angles are off by 3e-5 rad; with feedback from encoders, which count differently then, by 0.01 rad in
-            the median and 0.07 rad at worst. Means over 100 flights agree to 0.01 degrees.
-        threads: that share a step where that is faster, which it is from some thousand helicopters on, on idle cores.
-            Flights are the same bit for bit for any number of threads.
+        max_episode_steps: number of steps after which flights are truncated, if their maneuver is longer.
+        dtype: of the simulation, "float64" or "float32", which is faster for many helicopters. In single precision,
+            angles of open-loop flights differ by 3e-5 rad; with encoder feedback, whose counts then differ, by 0.01 rad
+            in the median and at most 0.07 rad. Means over 100 flights agree to 0.01 degrees.
+        threads: number of threads for a step; used where faster, from about a thousand helicopters on, on idle cores.
+            Flights are bit-identical for any number of threads.
 
-    `plant_of` and `reference_of` return the plant of a helicopter's episode and its reference. `options["plant"]` of a
-    `reset` flies another plant, one for all or one each, until the next `reset`. All arrays returned are new.
+    `plant_of` and `reference_of` return the plant and the reference of a helicopter's episode. `options["plant"]` of
+    `reset` sets another plant, one for all or one for each, until the next `reset`. All returned arrays are new.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "autoreset_mode": AutoresetMode.NEXT_STEP}  # noqa: RUF012
@@ -99,7 +99,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         rigs = [rig_to_fly(rig, p, r) for p, r in zip(plants, references)]
         tracked = {
             (id(r), n, own): reference_on_rig(r, own, n) for r, n, own in zip(references, named, rigs)
-        }  # each planned anew once
+        }  # each planned again once
         references = [tracked[id(r), n, own] for r, n, own in zip(references, named, rigs)]
         combinations = {(id(p), id(r)): (p, r, own) for p, r, own in zip(plants, references, rigs)}
         singles = {
@@ -129,7 +129,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         self.is_waiting = False  # whether any flight is over
         generators, seeds = zip(*(seeded(None) for _ in range(num_envs)))
         self.generators, self.seeds = list(generators), list(seeds)
-        self.flown = np.zeros(num_envs, int)  # steps of the present flights, where their number has a limit
+        self.flown = np.zeros(num_envs, int)  # steps of the current flights, if their number is limited
         self.renderer: Renderer | None = None
         self._spec: EnvSpec | None = None
 
@@ -142,14 +142,14 @@ class Heli3DOFVectorEnv(VectorEnv):
         """Start episodes of all helicopters, or of some.
 
         Args:
-            seed: of the first helicopter, the others counting on from there, or of each.
-            options: "state" (6,), or (N, 6) with NaN for starts as without it, and "plant", one for all or a sequence
-                of N, as for `Heli3DOFEnv.reset`; "time" (N,) in s, when on their references these flights start, and
-                only these; "reset_mask" (N,), bool, selects the helicopters.
+            seed: seed of the first helicopter, with consecutive seeds for the others, or a sequence of seeds.
+            options: "state" (6,) or (N, 6), with NaN rows for default starts, and "plant", one for all or a sequence of
+                N, as for `Heli3DOFEnv.reset`; "time" (N,) in s, the starting times of only these flights on their
+                references; "reset_mask" (N,), bool, selects the helicopters.
 
         Raises:
-            ValueError: for a bad seed or option. A refused reset changes nothing.
-            TypeError: for a mask that is no boolean array.
+            ValueError: for an invalid seed or option; the environment is then unchanged.
+            TypeError: for a mask that is not a boolean array.
         """
         known = checked_options(options, ("state", "plant", "time", "reset_mask"))
         mask = self._mask(known["reset_mask"], known["plant"] is not None)
@@ -168,7 +168,7 @@ class Heli3DOFVectorEnv(VectorEnv):
             )
         elif mask.all():
             simulation = self.own_simulation
-        # Without a state or a sampler, nothing that is drawn can be refused.
+        # Only a given state or a sampled reference can turn out to be invalid after the draw.
         refusable = known["state"] is not None or not all(isinstance(one, Trajectory) for one in self.references)
         with undone_on_error(simulation, generators if refusable and not fresh else []):
             starts = [simulation.draw(i, generator).x[:, 0] for i, generator in zip(chosen, generators)]
@@ -193,7 +193,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         return observation, self._info(outputs, mask.copy(), np.zeros(self.num_envs, bool))
 
     def _mask(self, mask: Any, plant_changes: bool) -> np.ndarray:
-        """The helicopters (N,) that a reset selects."""
+        """Mask (N,) of the helicopters that a reset selects."""
         if mask is None:
             return self.all
         must = f"options['reset_mask'] = {mask!r}: must be a boolean array ({self.num_envs},), at least one true"
@@ -206,7 +206,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         return mask
 
     def _seeded(self, seed: Any, chosen: list[int]) -> dict[int, tuple[np.random.Generator, int]]:
-        """New generators, with their seeds, of those of the chosen helicopters that have a seed."""
+        """New generators and seeds of those chosen helicopters that have a seed, by index."""
         if seed is None:
             return {}
         if isinstance(seed, int | np.integer):
@@ -223,7 +223,7 @@ class Heli3DOFVectorEnv(VectorEnv):
     def step(self, actions: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
         """Fly one control period of all helicopters.
 
-        Raises ValueError for actions that are not (N, 2) finite real numbers, which changes nothing.
+        Raises ValueError for actions that are not (N, 2) finite real numbers; the environment is then unchanged.
         """
         if not self.has_begun:
             raise gym.error.ResetNeeded("call reset before step")
@@ -264,25 +264,25 @@ class Heli3DOFVectorEnv(VectorEnv):
         return observation, rewards, terminated, truncated, info
 
     def to_voltage(self, actions: ArrayLike) -> np.ndarray:
-        """Voltages (N, 2) in V of actions (N, 2)."""
+        """Convert actions (N, 2) to voltages (N, 2) in V."""
         return task.to_voltage(np.asarray(actions, float), self.voltage_limits, self.hover_voltage.T)
 
     def to_action(self, u: ArrayLike) -> np.ndarray:
-        """Actions (N, 2) of voltages (N, 2) in V, the inverse of `to_voltage`."""
+        """Convert voltages (N, 2) in V to actions (N, 2): the inverse of `to_voltage`."""
         return task.to_action(np.asarray(u, float), self.voltage_limits, self.hover_voltage.T)
 
     def reference_of(self, i: int) -> Trajectory:
-        """Trajectory that the helicopter i tracks in its episode."""
+        """Reference of the current episode of the helicopter i."""
         return self.simulation.reference_of(i)
 
     def plant_of(self, i: int) -> Plant:
-        """Plant of the episode of the helicopter i."""
+        """Plant of the current episode of the helicopter i."""
         if not self.has_begun:
             raise gym.error.ResetNeeded("nothing is drawn yet: call reset first")
         return self.simulation.drawn_plant(i)
 
     def render(self) -> tuple[np.ndarray, ...] | None:
-        """A picture (720, 960, 3), uint8, of each helicopter. Raises DependencyNotInstalled without pygame."""
+        """Pictures (720, 960, 3), uint8, one of each helicopter. Raises DependencyNotInstalled without pygame."""
         if self.render_mode is None:
             gym.logger.warn("render: without a render mode nothing is drawn; make the environment with one")
             return None
@@ -293,7 +293,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         return tuple(self.renderer.frame(render_state(self.simulation, j)) for j in range(self.num_envs))
 
     def close_extras(self, **kwargs: Any) -> None:
-        """Frees what drawing took."""
+        """Free the renderer."""
         if self.renderer is not None:
             self.renderer.close()
             self.renderer = None
@@ -347,7 +347,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         return array.shape == shape and bool(np.isfinite(array).all())
 
     def _states(self, value: Any, helicopters: np.ndarray, starts: np.ndarray) -> np.ndarray | None:
-        """The states (N, 6) of an option, rows of NaN where there is none; the references start at (n, 6)."""
+        """States (N, 6) from the option "state",  NaN rows for default starts; `starts` (n, 6) are the references'."""
         if value is None:
             return None
         array = real_array(value)
@@ -391,7 +391,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         }
 
     def _end(self, info: dict[str, Any], observation: np.ndarray, outputs: np.ndarray) -> None:
-        """Add the last infos and observations of flights that are over, and start the next, where that is the mode."""
+        """In the mode SameStep, add the final infos and observations of ended flights, and start the next flights."""
         over, ended = self.over.copy(), np.flatnonzero(self.over)
         if self.autoreset_mode is not AutoresetMode.SAME_STEP:
             return
@@ -409,14 +409,14 @@ class Heli3DOFVectorEnv(VectorEnv):
 
 
 def _count(name: str, value: Any, most: int) -> int:
-    """The value, if it is a positive whole number."""
+    """Return the value. Raises ValueError unless it is an integer from 1 to `most`."""
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or not 1 <= value <= most:
         raise ValueError(f"{name} = {value!r}: must be a positive whole number, at most {most}")
     return int(value)
 
 
 def broadcast_to_envs(name: str, value: Any, count: int, find: Callable) -> list:
-    """What `find` finds for each helicopter, given one value for all or a sequence of one each."""
+    """Apply `find` to the value of each helicopter, given one value for all or a sequence with one for each."""
     values = value if isinstance(value, list | tuple) else [value] * count
     if len(values) != count:
         raise ValueError(f"{name}: {len(values)} values; must be {count}, or one for all")

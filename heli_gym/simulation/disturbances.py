@@ -24,7 +24,7 @@ from heli_gym.simulation.layout import (
 
 
 def step_gusts(block: Any, n: int, s: Settings) -> None:
-    """Advance all gusts, Ornstein-Uhlenbeck processes, by one control period, exactly."""
+    """Advance all gusts by one control period: the exact discretisation of Ornstein-Uhlenbeck processes."""
     for d in range(int(s.disturbances)):
         first = DISTURBANCES + DISTURBANCE * d
         for i in range(n):
@@ -37,7 +37,7 @@ def step_gusts(block: Any, n: int, s: Settings) -> None:
 def sum_disturbances(block: Any, n: int, s: Settings) -> None:
     """Sum the disturbances over the integration step H, AFTER the start of the control period.
 
-    A push counts for the share of the step in which it is on, so that its impulse is right whatever its duration.
+    A push is weighted by the share of the step in which it acts, so that its impulse is exact for any duration.
     """
     for i in range(n):
         put_six(block, TORQUES, i, (0.0, 0.0, 0.0, 0.0, 1.0, 1.0))
@@ -47,7 +47,7 @@ def sum_disturbances(block: Any, n: int, s: Settings) -> None:
             kind, channel, amount, begin, duration, _, _, gust = eight(block, first, i)
             after, h = block[AFTER * ROW + i], block[H * ROW + i]
             since = s.period * block[STEP * ROW + i] + after - begin
-            on = min(max(since + h, 0.0), duration) - min(max(since, 0.0), duration)  # finite, if the duration is not
+            on = min(max(since + h, 0.0), duration) - min(max(since, 0.0), duration)  # duration may be infinite
             if kind == ORNSTEIN_UHLENBECK:
                 value = gust
             elif kind == RAMP:

@@ -1,6 +1,6 @@
-"""Sine, cosine and random numbers for the compiled loops: free of calls and branches, so that loops become SIMD.
+"""Sine, cosine, power and random numbers for the compiled loops, without calls and branches, so that LLVM vectorises.
 
-A call to the C library's sine would stop the compiler from that.
+A call to the C library's sine would prevent that.
 """
 
 import math
@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy import float64, floor, int64
 
-NORMALS_PER_STEP = 256  # of one helicopter, at most: its three sensors take the first ones, disturbances one each
+NORMALS_PER_STEP = 256  # largest number per helicopter: three for the sensors, then one per disturbance
 
 TWO_OVER_PI = 2.0 / math.pi
-# pi/2 in three parts (Cody and Waite, 1980; those of Moshier's Cephes), of which k times the first two is exact
+# pi/2 in three parts (Cody and Waite, 1980; values of Moshier's Cephes); k times the first two is exact
 HALF_PI_1, HALF_PI_2, HALF_PI_3 = 1.57079625129699707031, 7.54978941586159635335e-8, 5.39030285815811905290e-15
 # The minimax polynomials of Cephes (S. Moshier), for |r| up to pi/4.
 S1, S2, S3 = -1.66666666666666307295e-1, 8.33333333332211858878e-3, -1.98412698295895385996e-4
@@ -35,7 +35,7 @@ def sine(x: Any) -> Any:
 
 
 def cosine(x: Any) -> Any:
-    """cos x, likewise."""
+    """cos x for |x| up to 1e5, exact to two units in the last place."""
     k = floor(x * TWO_OVER_PI + 0.5)
     r = ((x - k * HALF_PI_1) - k * HALF_PI_2) - k * HALF_PI_3
     quadrant = k - 4.0 * floor(0.25 * k)
@@ -45,13 +45,13 @@ def cosine(x: Any) -> Any:
 
 
 def sine_polynomial(r: Any) -> Any:
-    """sin r."""
+    """sin r for |r| up to pi/4."""
     y = r * r
     return r + r * y * (((((S6 * y + S5) * y + S4) * y + S3) * y + S2) * y + S1)
 
 
 def cosine_polynomial(r: Any) -> Any:
-    """cos r."""
+    """cos r for |r| up to pi/4."""
     y = r * r
     return 1.0 + (y * y * (((((C6 * y + C5) * y + C4) * y + C3) * y + C2) * y + C1) - 0.5 * y)
 
@@ -76,9 +76,9 @@ def power(x: Any, exponent: Any) -> Any:
 
 
 def standard_normal(key: Any, step: Any, channel: int) -> Any:
-    """A number of the standard normal distribution that depends on these three alone.
+    """Standard normal random number, a function of key, step and channel only.
 
-    SplitMix64 (Steele, Lea, Flood, 2014) of a counter gives two uniform numbers, Box and Muller's transform the rest.
+    SplitMix64 (Steele, Lea, Flood, 2014) of a counter gives two uniform numbers, the Box-Muller transform a normal one.
     """
     counter = np.uint64(key * 2.0**53) + np.uint64(0x9E3779B97F4A7C15) * np.uint64(step * NORMALS_PER_STEP + channel)
     z = splitmix64(counter)
@@ -88,7 +88,7 @@ def standard_normal(key: Any, step: Any, channel: int) -> Any:
 
 
 def splitmix64(z: Any) -> Any:
-    """SplitMix64's output function of a 64-bit integer."""
+    """Output function of SplitMix64 for a 64-bit integer."""
     z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
     z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
     return z ^ (z >> np.uint64(31))

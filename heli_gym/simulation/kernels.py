@@ -1,9 +1,9 @@
-"""The compiled control step of one helicopter or of many, from the actions to reward and observation.
+"""Compiled control step of one or many helicopters, from the actions to reward and observation.
 
-The equations are those of `model`, `rigid_body`, `plant` and `task`; the modules of this folder hold the order in which
-they are used, in loops over the helicopters of a block, and `layout` where the numbers are. This one compiles them as
-they stand; uncompiled, the same functions do the same, slowly. The loops are free of calls and branches, so that they
-become SIMD instructions: a condition is a selection, and arrays are flat, with constant distances between rows.
+The equations are those of `model`, `rigid_body`, `plant` and `task`. The modules of this folder call them in loops over
+the helicopters of a block; `layout` defines the memory. This module compiles them unchanged; uncompiled, the same
+functions give the same results, slowly. The loops have neither calls nor branches, so that LLVM turns them into SIMD
+instructions: conditions are selections, and arrays are flat, with constant distances between rows.
 """
 
 import math
@@ -49,7 +49,7 @@ from heli_gym.task import OBSERVATION_LIMIT, OBSERVED, observed_error, observed_
 
 NOT_FINITE, FLYING, CRASHED, ENDED_OFF_GOAL, ARRIVED = -1, 0, 1, 2, 3  # how a step of one helicopter ends
 
-fly = step_plant  # a name that `kernels` binds to one way to fly a control period
+fly = step_plant  # `kernels` rebinds this name to one of the functions that fly a control period
 
 
 def command(block: Any, n: int, s: Settings, actions: Any, first: int) -> None:
@@ -63,7 +63,7 @@ def command(block: Any, n: int, s: Settings, actions: Any, first: int) -> None:
 def saturated(action: Any, hover: Any, s: Settings) -> Any:
     """Voltage of an action, within the limits of the amplifier."""
     u = to_voltage(min(max(action, -1.0), 1.0), (s.u_low, s.u_high), hover)
-    return min(max(u, s.u_low), s.u_high)  # to rounding, it is already
+    return min(max(u, s.u_low), s.u_high)  # exceeded by rounding only
 
 
 def control_step(block: Any, n: int, s: Settings, table: Any) -> None:
@@ -78,7 +78,7 @@ def control_step(block: Any, n: int, s: Settings, table: Any) -> None:
 
 
 def report(block: Any, n: int, s: Settings, table: Any, first: int, count: int, observation: Any, outputs: Any) -> None:
-    """Write observations and outputs of n helicopters from the first on, out of `count`."""
+    """Write observations and outputs of n helicopters, starting at index `first` of `count`."""
     for row in range(len(outputs) // count):
         own = outputs[row * count + first : row * count + first + n]
         for i in range(n):
@@ -89,9 +89,9 @@ def report(block: Any, n: int, s: Settings, table: Any, first: int, count: int, 
 
 
 def observe(block: Any, i: int, s: Settings, table: Any, features: int, observation: Any, to: int) -> None:
-    """Write the observation of the helicopter i into OBSERVED places from `to` on.
+    """Write the observation of the helicopter i into OBSERVED entries from index `to` on.
 
-    `features` is FEATURES, but unknown to the compiler, which would unroll the loop instead of using SIMD.
+    `features` is always FEATURES, but as an argument: the compiler would unroll a constant loop instead of using SIMD.
     """
     at, to = reference_row(block, i), to & NOT_NEGATIVE
     for k in range(features):
@@ -138,11 +138,11 @@ def reset(
     states: Any,
     steps: Any,
 ) -> None:
-    """Start these helicopters (n,).
+    """Start the selected helicopters (n,).
 
-    From the columns j of the rows `initial` (rows, N), the uniform numbers `uniforms` (N, ...), the `states` (N, 6), or
-    (N, 0) for those of the references, and the `steps` (N,) of the references, negative ones where they are to follow
-    from the uniform numbers.
+    Column j of each array belongs to helicopter j: rows `initial` (rows, N), uniform numbers `uniforms` (N, ...),
+    `states` (N, 6), or (N, 0) for those of the references, and `steps` (N,) of the references; a negative step is
+    drawn from the uniform numbers.
     """
     s, size = shared(settings), len(initial) * ROW
     for j in helicopters:
@@ -156,7 +156,7 @@ def reset(
 def write_outputs(
     blocks: Any, settings: Any, table: Any, helicopters: Any, count: int, size: int, observation: Any, outputs: Any
 ) -> None:
-    """Write observations and outputs of these helicopters (n,) of `count`; leave the rest of the arrays as it is."""
+    """Write observations and outputs of the selected helicopters (n,) of `count`; other entries are unchanged."""
     s, features = shared(settings), len(observation) // count - 8
     for j in helicopters:
         first = j // LANES * size
@@ -176,9 +176,9 @@ def step(
     begin: int,
     end: int,
 ) -> int:
-    """Fly a control step of the blocks [begin, end) under actions (N, 2) and return the number of flights that end.
+    """Fly a control step of the blocks [begin, end) under actions (N, 2); return the number of flights that end.
 
-    Writes observations (N, OBSERVED) and outputs, the first rows (..., N), of these blocks.
+    Writes the observations (N, OBSERVED) and outputs (..., N) of these blocks.
     """
     actions, observation, outputs = actions_2d.reshape(-1), observation_2d.reshape(-1), outputs_2d.reshape(-1)
     s, count = shared(settings), len(actions) // 2
@@ -196,11 +196,11 @@ def step(
 
 
 def step_one(memory: Any, front: Any, back: Any, observation: Any, outputs: Any) -> tuple:
-    """Fly a control step of the only helicopter and return time, reward, cost and how the step ends.
+    """Fly a control step of a single helicopter; return time, reward, cost and the outcome of the step.
 
-    Python calls this some hundred thousand times a second, and passing an array takes as long as a good part of the
-    equations: hence few arrays, and numbers passed as numbers. `memory` are the settings, then the
-    block, then the table; `outputs` are the N_OUTPUTS_SENSED rows.
+    Python calls this about 100 000 times per second, and passing an array costs as much as a good part of the
+    equations: hence few arrays, and scalars passed as scalars. `memory` is settings, block and table in one array;
+    `outputs` has N_OUTPUTS_SENSED rows.
     """
     if not (abs(front) < math.inf and abs(back) < math.inf):
         return 0.0, 0.0, 0.0, NOT_FINITE
@@ -239,7 +239,7 @@ LOOPS = (
 
 
 class Kernels(NamedTuple):
-    """The compiled entry points of a simulation."""
+    """Compiled entry points of a simulation."""
 
     reset: Callable
     write_outputs: Callable
@@ -249,7 +249,7 @@ class Kernels(NamedTuple):
 
 @cache
 def kernels(dtype: type, rhs: Callable, fly: Callable) -> Kernels:
-    """Kernels for one dtype, one right-hand side and one way to fly a control period.
+    """Kernels for one dtype, one right-hand side `rhs` and one function `fly` for a control period.
 
     Each is compiled at its first call, and cached on disk.
     """
@@ -264,7 +264,7 @@ def kernels(dtype: type, rhs: Callable, fly: Callable) -> Kernels:
 
 @cache
 def one_step(rhs: Callable, fly: Callable) -> Callable:
-    """The compiled `step_one`, in double precision."""
+    """Compile `step_one` in double precision."""
     numbers = types.float64[::1]
     arguments = numbers, types.float64, types.float64, types.float32[::1], numbers
     returns = types.Tuple((*[types.float64] * 3, types.int64))
@@ -273,6 +273,6 @@ def one_step(rhs: Callable, fly: Callable) -> Callable:
 
 @cache
 def compiler_of(dtype: type, rhs: Callable, fly: Callable) -> Compiler:
-    """Compiler of a simulation, which remembers what it has compiled."""
+    """Compiler of a simulation; cached, so that each function is compiled once."""
     names = {"sin": fast_math.sine, "cos": fast_math.cosine, "derivative": rhs, "fly": fly}
     return Compiler(dtype, names, LOOPS, careful=(are_finite,))

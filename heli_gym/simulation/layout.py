@@ -1,9 +1,9 @@
-"""Where the numbers of a simulation are in memory: a table of quantities, from which the rows of a block follow.
+"""Memory layout of a simulation: a table of quantities determines the rows of a block.
 
-The numbers of `LANES` helicopters are a block: one row for each component of a quantity, so that the innermost loops
-run over helicopters and become SIMD instructions. Component k of a quantity that starts at ROW_OF_IT, of the helicopter
-i of a block, is `block[(ROW_OF_IT + k) * ROW + i]`. After the rows of the table come those whose number depends on the
-plants: of the disturbances, of the pieces of measured thrust curves, and of the voltages that are still delayed.
+A block holds the numbers of `LANES` helicopters, one row per component of a quantity, so that the innermost loops run
+over helicopters and become SIMD instructions. Component k of the quantity at row FIRST, of the helicopter i of a block,
+is `block[(FIRST + k) * ROW + i]`. The rows of the table are followed by rows whose number depends on the plants:
+disturbances, pieces of measured thrust curves, and delayed voltages.
 """
 
 import math
@@ -21,7 +21,7 @@ NOT_NEGATIVE = 2**40 - 1  # mask that tells LLVM an index is non-negative
 
 
 class Quantity(NamedTuple):
-    """Consecutive rows of a block: where they start, how many they are, and how a plant sets them, if it does."""
+    """Consecutive rows of a block: first row, number of rows, and their values from a plant, if it sets them."""
 
     row: int
     width: int
@@ -43,7 +43,7 @@ def quantity(name: str, width: int = 1, of_plant: Callable[[Plant], Any] | None 
 
 
 def power_curve(p: Plant, rotor: int) -> tuple:
-    """Thrust curve of a rotor, `PowerCurve`; without any thrust where the rotor has a measured curve instead."""
+    """Power curve of a rotor; zero thrust if the rotor has a measured curve instead."""
     curve = rotor_curves(p.thrust_map)[rotor]
     if curve is None:
         return PowerCurve(p.parameters.k_plus, p.parameters.k_minus)
@@ -51,7 +51,7 @@ def power_curve(p: Plant, rotor: int) -> tuple:
 
 
 def cubic_pieces(curve: TableCurve) -> list[tuple]:
-    """Rows ORIGIN to LINEAR of each piece of a measured thrust curve: cubics, and straight lines beyond its ends."""
+    """Rows ORIGIN to LINEAR of each piece of a measured thrust curve: cubics, and straight lines beyond both ends."""
     u, (low, high) = curve.voltages, curve.end_slopes
     cubics = [(start, 0.0, end - start, *c[:3]) for start, end, c in zip(u, u[1:], curve.cubics.c.T.tolist())]
     return [(u[0], -math.inf, 0.0, 0.0, 0.0, low), *cubics, (u[-1], 0.0, math.inf, 0.0, 0.0, high)]
@@ -72,11 +72,11 @@ N_OUTPUTS_SENSED = rows_in_use()
 
 # State besides (44).
 MOTOR = quantity("motor", 2)  # V, at the motors
-ROTOR = quantity("rotor", 2)  # V, at which rotors without lag would turn as fast
+ROTOR = quantity("rotor", 2)  # V, rotor speed as the steady-state voltage
 STEP = quantity("step")  # control periods since the start of the reference
 KEY = quantity("key")  # of the flight's random numbers, in [0, 1)
 
-# The reference that is flown.
+# Reference of the flight.
 LAST = quantity("last")  # its last step
 REFERENCE_ROW = quantity("reference_row")  # its first row in the table of references
 LIMITS = quantity("limits", 2)  # u_min and u_max, V
@@ -84,7 +84,7 @@ PITCH_LIMITS = quantity("pitch_limits", 2)  # pitch_min and pitch_max, rad
 
 HOVER = quantity("hover", 2)  # V, of the action zero
 
-# The plant that is flown.
+# Plant of the flight.
 NO_RIGID_BODY = (0.0,) * len(RigidBodyParameters._fields)
 PARAMETERS = quantity("parameters", len(HelicopterParameters._fields), lambda p: p.parameters)
 RIG = quantity("rig", len(RigidBodyParameters._fields), lambda p: p.rig or NO_RIGID_BODY)
@@ -105,23 +105,23 @@ RATE_FILTER = quantity("rate_filter", 1, lambda p: (p.sensors.rate_filter if p.s
 TRAVEL_LIFT = quantity("travel_lift", 1, lambda p: (p.travel_lift,))  # 1/rad
 TABLE = quantity("table", 2, lambda p: (p.table.elevation, p.table.friction) if p.table else (NO_TABLE, 0.0))
 
-# Derived from the plant and the control period, once a flight.
+# Derived from the plant and the control period, once per flight.
 DELAY_PERIODS = quantity("delay_periods")  # whole control periods of the delay
-DELAY_REST = quantity("delay_rest")  # s, the rest of it
-SHARE = quantity("share", 2)  # of the thrust that loss and gains leave to each rotor
+DELAY_REST = quantity("delay_rest")  # s, its fractional rest
+SHARE = quantity("share", 2)  # of each rotor's thrust, after loss and gains
 LAG_DECAY = quantity("lag_decay")  # of the rotors' deviation over half an integration step
 REST_DECAY = quantity("rest_decay")  # the same, over half an integration step within DELAY_REST
 RATE_DECAY = quantity("rate_decay")  # of the rate estimate over a control period
 
-# Passed on within a step.
-TORQUES = quantity("torques", 3)  # rad/s², of all disturbances
+# Intermediate results of a step.
+TORQUES = quantity("torques", 3)  # rad/s², sum of all disturbances
 A2_CHANGE = quantity("a2_change")  # rad/s², likewise
-EFFECT = quantity("effect", 2)  # share of the thrust that faults leave to each rotor
+EFFECT = quantity("effect", 2)  # share of each rotor's thrust after faults
 REFERENCE = quantity("reference", 6)  # state
 NOMINAL = quantity("nominal", 2)  # V
 ARRIVING = quantity("arriving", 2)  # V, at the amplifiers, after the delay
-AFTER = quantity("after")  # s, from the start of the control period to the integration step; followed by
-H = quantity("h")  # s, its length
+AFTER = quantity("after")  # s, from the start of the control period to the integration step
+H = quantity("h")  # s, length of the integration step; must be the next row
 SPEEDS = quantity("speeds", 6)  # V, ROTOR at the start, in the middle and at the end of the integration step
 THRUSTS = quantity("thrusts", 6)  # N, of the rotors at these speeds
 ON_ANGLES = quantity("on_angles", 3)  # rad, noise of the sensors
@@ -136,12 +136,12 @@ PULSE, ORNSTEIN_UHLENBECK, RAMP = range(3)  # kinds
 PIECE = 6
 ORIGIN, LOW, HIGH, CUBIC, SQUARE, LINEAR = range(PIECE)  # V, V, V, N/V³, N/V², N/V
 
-# Uniform numbers that make the start of a flight: of the three angles, the time, the key; then those of the plant.
+# Indices of the uniform numbers at the start of a flight: three angles, time, key, then the plant.
 START_ANGLES, START_TIME, START_KEY, START_PLANT = 0, 3, 4, 5
 
 
 class Settings(NamedTuple):
-    """What all helicopters of a simulation share; the kernels take it as an array."""
+    """Settings shared by all helicopters of a simulation, passed to the kernels as an array."""
 
     period: float  # s, of the control
     substeps: int
@@ -168,12 +168,12 @@ def shared(settings: Any) -> Settings:
 
 
 def curve_rows(s: Any) -> int:
-    """First row of the measured thrust curves, of which each rotor has one with 1 + PIECE * s.pieces rows."""
+    """First row of the measured thrust curves; each rotor's has 1 + PIECE * s.pieces rows."""
     return DISTURBANCES + DISTURBANCE * int(s.disturbances)
 
 
 def pending_rows(s: Any) -> int:
-    """First row of the delayed voltages, two for each period of the delay, the oldest first."""
+    """First row of the delayed voltages: two rows for each period of the delay, the oldest first."""
     return curve_rows(s) + (2 * (1 + PIECE * int(s.pieces)) if s.pieces > 0.0 else 0)
 
 
@@ -182,27 +182,26 @@ def count_rows(s: Any) -> int:
     return pending_rows(s) + 2 * int(s.delay)
 
 
-# Consecutive rows of one helicopter. Spelt out, because the compiler sees which rows overlap through one call but not
-# through two.
+# Consecutive rows of one helicopter. Written out, because LLVM's alias analysis sees through one call, not through two.
 
 
 def two(block: Any, row: int, i: int) -> tuple:
-    """This row and the next of the helicopter i."""
+    """Values of this row and the next for the helicopter i."""
     return block[row * ROW + i], block[(row + 1) * ROW + i]
 
 
 def three(block: Any, row: int, i: int) -> tuple:
-    """This row and the next two."""
+    """Values of this row and the next two for the helicopter i."""
     return block[row * ROW + i], block[(row + 1) * ROW + i], block[(row + 2) * ROW + i]
 
 
 def four(block: Any, row: int, i: int) -> tuple:
-    """This row and the next three."""
+    """Values of this row and the next three for the helicopter i."""
     return block[row * ROW + i], block[(row + 1) * ROW + i], block[(row + 2) * ROW + i], block[(row + 3) * ROW + i]
 
 
 def six(block: Any, row: int, i: int) -> tuple:
-    """This row and the next five."""
+    """Values of this row and the next five for the helicopter i."""
     return (
         block[row * ROW + i],
         block[(row + 1) * ROW + i],
@@ -214,7 +213,7 @@ def six(block: Any, row: int, i: int) -> tuple:
 
 
 def eight(block: Any, row: int, i: int) -> tuple:
-    """This row and the next seven."""
+    """Values of this row and the next seven for the helicopter i."""
     return (
         block[row * ROW + i],
         block[(row + 1) * ROW + i],
@@ -228,7 +227,7 @@ def eight(block: Any, row: int, i: int) -> tuple:
 
 
 def eleven(block: Any, row: int, i: int) -> tuple:
-    """This row and the next ten."""
+    """Values of this row and the next ten for the helicopter i."""
     return (
         block[row * ROW + i],
         block[(row + 1) * ROW + i],
@@ -245,12 +244,12 @@ def eleven(block: Any, row: int, i: int) -> tuple:
 
 
 def put_two(block: Any, row: int, i: int, values: tuple) -> None:
-    """Write into this row and the next of the helicopter i."""
+    """Write two values into this row and the next of the helicopter i."""
     block[row * ROW + i], block[(row + 1) * ROW + i] = values
 
 
 def put_six(block: Any, row: int, i: int, values: tuple) -> None:
-    """Write into this row and the next five."""
+    """Write six values into this row and the next five of the helicopter i."""
     a, b, c, d, e, f = values
     block[row * ROW + i] = a
     block[(row + 1) * ROW + i] = b

@@ -43,7 +43,7 @@ from heli_gym.simulation.rotors import apply_amplifier, delay_command, map_thrus
 
 
 class Body(NamedTuple):
-    """What a time derivative depends on besides state and thrust."""
+    """Arguments of a time derivative besides state and thrust."""
 
     parameters: Any
     rig: Any
@@ -53,7 +53,7 @@ class Body(NamedTuple):
 
 
 class GeneralBody(NamedTuple):
-    """What the time derivative of a general plant depends on besides state and thrust."""
+    """Arguments of the time derivative of a general plant besides state and thrust."""
 
     parameters: Any
     rig: Any
@@ -64,7 +64,7 @@ class GeneralBody(NamedTuple):
     table: Any
 
 
-# The right-hand sides, one of which is compiled into a simulation.
+# Right-hand sides; one of them is compiled into a simulation.
 
 
 def equation_3(x: Any, v: Any, body: Body) -> tuple:
@@ -80,29 +80,29 @@ def equation_3_with_disturbances(x: Any, v: Any, body: Body | GeneralBody) -> tu
 
 
 def rigid_body_with_disturbances(x: Any, v: Any, body: Body | GeneralBody) -> tuple:
-    """The full rigid body with friction and disturbances."""
+    """Full rigid body with friction and disturbances."""
     return with_friction_and_disturbances(
         x, rigid_dynamics(x, v, body.rig, sin, cos), body.viscous, body.coulomb, body.torques, cos
     )
 
 
 def general_equation_3(x: Any, v: Any, body: GeneralBody) -> tuple:
-    """Equation (3) with all that a plant may add to it."""
+    """Equation (3) with all effects of a general plant."""
     dx = with_contact(x, equation_3_with_disturbances(x, v, body), body.parameters, body.table, sin, cos)
     return with_lift(dx, body.travel_lift)
 
 
 def general_rigid_body(x: Any, v: Any, body: GeneralBody) -> tuple:
-    """The full rigid body with all that a plant may add to it."""
+    """Full rigid body with all effects of a general plant."""
     dx = with_contact(x, rigid_body_with_disturbances(x, v, body), body.parameters, body.table, sin, cos)
     return with_lift(dx, body.travel_lift)
 
 
-derivative = equation_3  # a name that `kernels` binds to one of these
+derivative = equation_3  # `kernels` rebinds this name to one of these
 
 
 def integrate(block: Any, n: int, h: Any) -> None:
-    """Integrate h seconds at constant motor voltages: the rotors exactly, the body by one Runge-Kutta step."""
+    """Integrate over h seconds at constant motor voltages: rotors exactly, the body by one Runge-Kutta step."""
     for i in range(n):
         p = HelicopterParameters(*eleven(block, PARAMETERS, i))
         rig = RigidBodyParameters(*eleven(block, RIG, i))
@@ -126,7 +126,7 @@ def integrate(block: Any, n: int, h: Any) -> None:
 
 
 def step_plant(block: Any, n: int, s: Settings) -> None:
-    """Fly one control period with all that a plant may add to (3)."""
+    """Fly one control period of a plant with power curves and a whole number of delay periods."""
     delay_command(block, n, s)
     h = s.period / s.substeps
     for i in range(n):
@@ -163,7 +163,7 @@ def integrate_general(block: Any, n: int) -> None:
 
 
 def fly_part(block: Any, n: int, s: Settings, decay_row: int) -> None:
-    """Integrate over the steps of a part of the control period, of which AFTER and H are the first."""
+    """Integrate over the steps of a part of the control period; AFTER and H are those of the first step."""
     for _ in range(int(s.substeps)):
         if s.disturbances > 0.0:
             sum_disturbances(block, n, s)
@@ -175,7 +175,7 @@ def fly_part(block: Any, n: int, s: Settings, decay_row: int) -> None:
 
 
 def step_general(block: Any, n: int, s: Settings) -> None:
-    """Fly one control period of any plant: in two parts, before and after the delayed voltages of the period arrive."""
+    """Fly one control period of any plant, in two parts: before and after the arrival of the delayed voltages."""
     if s.disturbances > 0.0:
         step_gusts(block, n, s)
     if s.is_fractional > 0.0:
@@ -192,7 +192,7 @@ def step_general(block: Any, n: int, s: Settings) -> None:
 
 
 def step_equation_3(block: Any, n: int, s: Settings) -> None:
-    """Fly one control period of (3) with rotors that follow at once: `step_plant` for that case, with less to store."""
+    """Fly one control period of (3) with rotors without lag: the special case of `step_plant` with less memory."""
     for i in range(n):
         p, (u_f, u_b) = HelicopterParameters(*eleven(block, PARAMETERS, i)), two(block, COMMAND, i)
         v = virtual_input((thrust(u_f, p), thrust(u_b, p)))

@@ -29,7 +29,7 @@ from heli_gym.task import TABLE_WIDTH, cost, crashed, reward, succeeded
 
 
 class LimitArrays(NamedTuple):
-    """The limits that `task.cost` reads."""
+    """Limits read by `task.cost`."""
 
     u_min: Any
     u_max: Any
@@ -38,7 +38,7 @@ class LimitArrays(NamedTuple):
 
 
 def look_up_reference(block: Any, n: int, s: Settings, table: Any) -> None:
-    """Advance to the next step: look up the reference's state there and its nominal voltages until then."""
+    """Advance to the next step, and look up the reference's state there and the nominal voltages before it."""
     for i in range(n):
         at = reference_row(block, i)
         put_two(block, NOMINAL, i, (table[at + 6], table[at + 7]))
@@ -50,7 +50,7 @@ def look_up_reference(block: Any, n: int, s: Settings, table: Any) -> None:
 
 
 def compute_reward(block: Any, n: int, s: Settings) -> None:
-    """Compute reward and cost, and whether the flight is over."""
+    """Compute reward, cost and the end of the flight."""
     for i in range(n):
         x, (u_f, u_b) = six(block, X, i), two(block, COMMAND, i)
         x_ref, (nominal_f, nominal_b) = six(block, REFERENCE, i), two(block, NOMINAL, i)
@@ -67,6 +67,6 @@ def compute_reward(block: Any, n: int, s: Settings) -> None:
 
 
 def reference_row(block: Any, i: int) -> int:
-    """Where the present row of the reference of the helicopter i, its last one at most, is in the flat table."""
+    """Start of the current row of the reference of the helicopter i in the flat table, at most its last row."""
     step = min(block[STEP * ROW + i], block[LAST * ROW + i])
     return TABLE_WIDTH * ((int(block[REFERENCE_ROW * ROW + i]) + int(step)) & NOT_NEGATIVE)

@@ -36,7 +36,7 @@ from heli_gym.simulation.layout import (
 
 
 def delay_command(block: Any, n: int, s: Settings) -> None:
-    """Advance the delayed voltages by one control period: those that arrive now, and those still on their way."""
+    """Advance the delayed voltages by one control period, and write those that arrive into ARRIVING."""
     delay, pending = int(s.delay), pending_rows(s)
     for motor in range(2):
         for i in range(n):
@@ -51,10 +51,10 @@ def delay_command(block: Any, n: int, s: Settings) -> None:
 
 
 def apply_amplifier(block: Any, n: int, s: Settings) -> None:
-    """Apply the voltages that arrive to the motors, as far as the slew rate permits within `substeps` of H seconds."""
+    """Move the motor voltages to those that arrive, limited by the slew rate over `substeps` of H seconds."""
     for motor in range(2):
         for i in range(n):
-            duration = max(s.substeps * block[H * ROW + i], 1e-12)  # not zero, for the slew rate may be infinite
+            duration = max(s.substeps * block[H * ROW + i], 1e-12)  # not zero, since the slew rate may be infinite
             last, most = block[(MOTOR + motor) * ROW + i], duration * block[SLEW * ROW + i]
             u = min(max(block[(ARRIVING + motor) * ROW + i], last - most), last + most)
             block[(MOTOR + motor) * ROW + i] = u
@@ -66,7 +66,7 @@ def apply_amplifier(block: Any, n: int, s: Settings) -> None:
 
 
 def turn_rotors(block: Any, n: int, decay_row: int) -> None:
-    """Advance the rotors' speeds by an integration step, whose half lets them decay as the row says: SPEEDS, ROTOR."""
+    """Advance SPEEDS and ROTOR by an integration step; `decay_row` holds the decay factor over half a step."""
     for i in range(n):
         decay = block[decay_row * ROW + i]
         (u_f, u_b), (w_f, w_b) = two(block, MOTOR, i), two(block, ROTOR, i)
@@ -79,7 +79,7 @@ def turn_rotors(block: Any, n: int, decay_row: int) -> None:
 
 
 def map_thrusts(block: Any, n: int, s: Settings) -> None:
-    """Compute THRUSTS at the SPEEDS: by power curves and, where a rotor has one, by its measured curve."""
+    """Compute THRUSTS at the SPEEDS from the power curves or measured curves of the rotors."""
     for stage in range(3):
         for i in range(n):
             w_f, w_b = block[(SPEEDS + 2 * stage) * ROW + i], block[(SPEEDS + 2 * stage + 1) * ROW + i]
@@ -93,7 +93,7 @@ def map_thrusts(block: Any, n: int, s: Settings) -> None:
 
 
 def add_measured_curves(block: Any, n: int, s: Settings) -> None:
-    """Add the measured curves of the rotors that have one to THRUSTS, which are zero there."""
+    """Add the measured thrust curves to THRUSTS; the power curves of rotors with a measured curve give zero."""
     for k in range(6):
         rotor = k % 2
         curve = (curve_rows(s) + rotor * (1 + PIECE * int(s.pieces))) & NOT_NEGATIVE

@@ -22,7 +22,7 @@ from heli_gym.simulation.layout import (
 
 
 def make_noise(block: Any, n: int, step: int) -> None:
-    """Draw the noise of the three angles, `step` control periods after the present one."""
+    """Draw the noise of the three angles, `step` control periods after the current one."""
     for axis in range(3):
         for i in range(n):
             normal = standard_normal(block[KEY * ROW + i], block[STEP * ROW + i] + step, axis)
@@ -30,7 +30,7 @@ def make_noise(block: Any, n: int, step: int) -> None:
 
 
 def measure(block: Any, n: int, s: Settings) -> None:
-    """Measure the angles, and estimate the rates from them."""
+    """Measure the angles, and update the rate estimates from them."""
     for axis in range(3):
         for i in range(n):
             true_angle, zero = block[(X + 2 * axis) * ROW + i], block[(ZEROS + axis) * ROW + i]

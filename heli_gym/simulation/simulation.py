@@ -1,4 +1,4 @@
-"""Flights of N helicopters: their numbers in arrays, and the compiled kernels that work on them."""
+"""Simulation of N helicopters: arrays of their numbers, and the compiled kernels that update them."""
 
 import itertools
 import math
@@ -57,12 +57,12 @@ from heli_gym.task import OBSERVED, TABLE_WIDTH, control_steps, hover_voltage, r
 from heli_gym.thrust_map import TableCurve
 from heli_gym.trajectory import Sampler, Trajectory
 
-SUBSTEP = 10e-3  # s, at most, of the integration where there is more than (3)
+SUBSTEP = 10e-3  # s, largest integration step of plants beyond (3)
 STABLE = 0.5  # largest product of an integration step and the rate at which friction damps an axis
 
 
 def numbers(p: Plant, s: Settings) -> list:
-    """Numbers of a plant without ranges, for the rows `plant_rows`."""
+    """Values of the rows `plant_rows` for a plant without ranges."""
     rows = [number for quantity in QUANTITIES.values() if quantity.of_plant for number in quantity.of_plant(p)]
     for value in p.disturbances:
         match value:
@@ -77,7 +77,7 @@ def numbers(p: Plant, s: Settings) -> list:
             case ThrustDrift(loss, start, duration):
                 for rotor in ROTORS:
                     rows += [RAMP, len(AXES) + 1 + ROTORS.index(rotor), loss, start, duration, 1.0, 0.0, 0.0]
-    # zeros stand for disturbances that disturb nothing, and for pieces that contribute nothing
+    # zeros are disturbances without effect, and curve pieces without contribution
     rows += [0.0] * DISTURBANCE * (s.disturbances - count_disturbances(p))
     if s.pieces:
         for curve in measured_curves(p):
@@ -88,23 +88,23 @@ def numbers(p: Plant, s: Settings) -> list:
 
 
 def plant_rows(s: Settings) -> np.ndarray:
-    """Rows (R,) that a plant sets: of the quantities that follow from it, of the disturbances and measured curves."""
+    """Rows (R,) set by a plant: its quantities, disturbances and measured curves."""
     own = [q.row + k for q in QUANTITIES.values() if q.of_plant for k in range(q.width)]
     return np.array([*own, *range(DISTURBANCES, pending_rows(s))])
 
 
 def count_disturbances(p: Plant) -> int:
-    """Number of disturbances in the rows of a plant: a drift is one of each rotor."""
+    """Number of disturbances in the rows of a plant; a drift counts twice, once per rotor."""
     return sum(len(ROTORS) if isinstance(value, ThrustDrift) else 1 for value in p.disturbances)
 
 
 def measured_curves(p: Plant) -> list[TableCurve | None]:
-    """The measured thrust curve of each rotor, where it has one."""
+    """Measured thrust curve of each rotor; None for a power curve."""
     return [curve if isinstance(curve, TableCurve) else None for curve in rotor_curves(p.thrust_map)]
 
 
 def delay_periods(p: Plant, control_period: float) -> tuple[int, bool]:
-    """Greatest number of whole control periods in the delay of a plant, and whether it may not be a whole number."""
+    """Largest number of whole control periods in the delay of a plant, and whether the delay may have a fraction."""
     delays = [delay for q in p.alternatives for delay in (q.rotors.delay,)]
     ends = [end for d in delays for end in ((d.low, d.high) if isinstance(d, Uniform) else (d,))]
     rest = max(abs(end / control_period - round(end / control_period)) for end in ends)
@@ -115,7 +115,7 @@ def delay_periods(p: Plant, control_period: float) -> tuple[int, bool]:
 def ranges_of(p: Plant, s: Settings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Low, span and index (A, R) of the `Ranges` of the A alternatives of a plant."""
     ends = np.concatenate((np.zeros((1, p.uniforms)), np.eye(p.uniforms)[1:]))[:, 1:]
-    # numbers of each alternative with all uniforms zero, then with each of them in turn one
+    # values of each alternative with all uniforms zero, then with each uniform in turn set to one
     corners = np.array(
         [[numbers(plant.at_uniforms(q, iter(u)), s) for u in ends.tolist()] for q in p.alternatives], float
     )
@@ -141,7 +141,7 @@ def stacked_ranges(plants: Sequence[Plant], s: Settings) -> Ranges:
 
 
 def right_hand_side(plants: Sequence[Plant], is_general: bool) -> Callable:
-    """Simplest right-hand side that serves all these plants. Raises ValueError if only some are rigid bodies."""
+    """Simplest right-hand side that covers all plants. Raises ValueError if only some are rigid bodies."""
     rigid = {q.rig is not None for p in plants for q in p.alternatives}
     if len(rigid) > 1:
         raise ValueError("plant: either all plants of a simulation have a rig, or none")
@@ -153,19 +153,19 @@ def right_hand_side(plants: Sequence[Plant], is_general: bool) -> Callable:
 
 
 class Simulation:
-    """Flights of N helicopters: their numbers, and the compiled steps that work on them.
+    """Simulation of N helicopters: arrays of their numbers, and compiled control steps.
 
     Args:
-        plants: (N) of each helicopter, with ranges or without.
+        plants: (N) plants, with or without ranges.
         references: (N) trajectories to track, or samplers that draw one for every flight.
         control_period: s.
         voltage_limits: of the amplifier, V.
         pitch_limit: rad, at which a flight ends.
         start_spread: rad, largest distance of each starting angle from the reference's.
         random_start: whether flights start at a random time of their reference, rather than at its start.
-        dtype: of the numbers, np.float64 or np.float32.
-        hover: V (2,) or (2, N), of the action zero; by default of Table I.
-        threads: that share a step, which is the same for any number of them.
+        dtype: of the arrays, np.float64 or np.float32.
+        hover: V (2,) or (2, N), voltages of the action zero; by default those of Table I.
+        threads: number of threads for a step; results do not depend on it.
 
     Raises:
         ValueError: if only some of the plants are rigid bodies.
@@ -221,23 +221,23 @@ class Simulation:
         self.uniforms = np.zeros((len(plants), START_PLANT + max(p.uniforms for p in all_plants)))
 
         rows = count_rows(settings)
-        self.initial = np.zeros((rows, len(plants)))  # of the blocks, at the start of a flight, but for what is drawn
+        self.initial = np.zeros((rows, len(plants)))  # of the blocks at the start of a flight, before the draw
         self.size = rows * ROW
         self.actions: np.ndarray = np.zeros((len(plants), 2), dtype)
         self.no_states, self.no_steps = np.empty((len(plants), 0)), np.full(len(plants), -1.0)
-        self.references: list[Trajectory | None] = [None] * len(plants)  # of the present flights
-        self.drawn: dict[int, Trajectory] = {}  # those of the next flights, where they are not always the same
+        self.references: list[Trajectory | None] = [None] * len(plants)  # of the current flights
+        self.drawn: dict[int, Trajectory] = {}  # sampled references of the next flights
         self.initial[HOVER : HOVER + 2] = self._hover(hover)
-        # one array, for Python takes time to hand over each
+        # one array, because passing each array from Python takes time
         parts = np.array(settings), np.zeros(-(-len(plants) // LANES) * self.size), self._table().reshape(-1)
         pad = np.zeros(SETTINGS - len(settings))
         self.memory: np.ndarray = np.concatenate((parts[0], pad, *parts[1:]), dtype=dtype)
         self._bind()
 
     def _table(self) -> np.ndarray:
-        """Stack the references on the control grid, (K, TABLE_WIDTH), and note where each helicopter's starts.
+        """Stack the references on the control grid, (K, TABLE_WIDTH), and store the first row of each helicopter.
 
-        A reference that many share is there once; one that is drawn has rows of its own, as many as it can take.
+        A shared reference is stored once; each sampler has rows for its longest reference, per helicopter.
         """
         parts, first = [], 0
         for source, followers in group_by_identity(self.sources):
@@ -251,7 +251,7 @@ class Simulation:
                 self.initial[REFERENCE_ROW, followers] = first + count * np.arange(len(followers))
                 parts.append(np.zeros((count * len(followers), TABLE_WIDTH)))
             first += len(parts[-1])
-        # a helicopter that waits for its next start is stepped once more, and reads one row beyond the end
+        # a helicopter that waits for its reset is stepped once more, and reads one row past the end
         return np.concatenate((*parts, parts[-1][-1:]))
 
     def _hover(self, hover: np.ndarray | None) -> np.ndarray:
@@ -261,7 +261,7 @@ class Simulation:
         return np.reshape(hover, (2, -1))
 
     def _follow(self, j: int, reference: Trajectory) -> None:
-        """Set the start and the end of the next flights of the helicopter j to those of this reference."""
+        """Set start and end of the next flights of the helicopter j from this reference."""
         limits = reference.limits
         self.references[j] = reference
         self.initial[LAST, j] = control_steps(reference.duration, self.control_period)
@@ -269,7 +269,7 @@ class Simulation:
         self.initial[LIMITS : LIMITS + 4, j] = *limits.u, *limits.pitch
 
     def _bind(self) -> None:
-        """Set what is not pickled: the compiled functions, and views on the parts of the memory."""
+        """Set the attributes that are not pickled: compiled functions, and views of the memory."""
         self.kernels, self.workers = kernels.kernels(self.dtype, self.rhs, self.fly), Workers(self.threads)
         end = SETTINGS + -(-len(self.plants) // LANES) * self.size
         self.settings, self.blocks, self.flat_table = np.split(self.memory, (SETTINGS, end))
@@ -284,9 +284,9 @@ class Simulation:
         self._bind()
 
     def draw(self, j: int, rng: np.random.Generator) -> Trajectory:
-        """Draw the next flight of the helicopter j: its uniform numbers, if any matters; return its reference.
+        """Draw uniform numbers (if used) and reference of the next flight of the helicopter j; return the reference.
 
-        Raises ValueError for a sampler that draws no trajectory or one beyond its bounds.
+        Raises ValueError if a sampler draws no trajectory, or one beyond its bounds.
         """
         source = self.sources[j]
         if isinstance(source, Trajectory):
@@ -298,7 +298,7 @@ class Simulation:
         return reference
 
     def _checked(self, source: Sampler, reference: Any) -> Trajectory:
-        """Return what a sampler has drawn if the table has room for it and its pitch is within the limit."""
+        """Return a sampled reference. Raises ValueError unless it fits the table and the pitch limit."""
         if not isinstance(reference, Trajectory):
             raise ValueError(f"reference: {source!r} drew {reference!r}; must be a Trajectory")
         if reference.duration > source.duration:
@@ -315,21 +315,21 @@ class Simulation:
         return reference
 
     def reference_of(self, j: int) -> Trajectory:
-        """Reference of the present flight of the helicopter j. Raises ResetNeeded if none is drawn yet."""
+        """Reference of the current flight of the helicopter j. Raises ResetNeeded before the first reset."""
         reference = self.references[j]
         if reference is None:
             raise ResetNeeded("no reference is drawn yet: call reset first")
         return reference
 
     def drawn_plant(self, j: int) -> Plant:
-        """Plant of the present flight of the helicopter j."""
+        """Plant of the current flight of the helicopter j."""
         p = self.plants[j]
         return p.at(self.uniforms[j, START_PLANT : START_PLANT + p.uniforms])
 
     def reset(self, helicopters: np.ndarray, states: np.ndarray | None = None, times: np.ndarray | None = None) -> None:
-        """Start flights of these helicopters (n,).
+        """Start flights of the selected helicopters (n,).
 
-        From states (N, 6) and at times (N,) of their references in s; by default as the uniform numbers say.
+        States (N, 6) and times (N,) of the references in s are optional; by default both come from the uniform numbers.
         """
         for j in helicopters.tolist() if self.drawn else ():
             if j in self.drawn:
@@ -353,12 +353,12 @@ class Simulation:
         )
 
     def arrays(self) -> tuple[np.ndarray, np.ndarray]:
-        """New arrays for observations (N, OBSERVED) and outputs, the first rows (self.outputs, N)."""
+        """New arrays for observations (N, OBSERVED) and outputs (self.outputs, N)."""
         n = len(self.plants)
         return np.empty((n, OBSERVED), np.float32), np.empty((self.outputs, n), self.dtype)
 
     def write_outputs(self, helicopters: np.ndarray, observation: np.ndarray, outputs: np.ndarray) -> None:
-        """Write observations and outputs of these helicopters (n,) into their parts of `arrays`."""
+        """Write observations and outputs of the selected helicopters (n,) into the arrays."""
         self.kernels.write_outputs(
             self.blocks,
             self.settings,
@@ -373,8 +373,8 @@ class Simulation:
     def step(self, actions: np.ndarray) -> tuple[int, np.ndarray, np.ndarray]:
         """Fly a control step of all helicopters under actions (N, 2).
 
-        Returns the number of flights that are over, and `arrays`. If an action is not finite, nothing is done and that
-        number is NOT_FINITE.
+        Returns the number of ended flights, observations and outputs as from `arrays`. If an action is not finite, the
+        number is NOT_FINITE and the simulation is unchanged.
         """
         observation, outputs = self.arrays()
         self.actions[:] = actions
@@ -392,9 +392,9 @@ class Simulation:
         return part.transpose(1, 0, 2).reshape(count, len(part) * LANES)[:, : len(self.plants)]
 
     def record(self) -> SimpleNamespace:
-        """Copy of all quantities by the names of `layout`, (width, N) or (N,): record().state, record().lag, ...
+        """Copy all quantities under the names of `layout`, (width, N) or (N,): record().state, record().lag, ...
 
-        `pending` (D, 2, N) are the voltages still delayed, in V, the oldest first.
+        `pending` (D, 2, N) are the delayed voltages in V, the oldest first.
         """
         values = {name: self.rows(q.row, q.width) for name, q in QUANTITIES.items()}
         settings = shared(self.settings.tolist())
@@ -406,7 +406,7 @@ class Simulation:
 
 
 def group_by_identity(values: Sequence) -> list[tuple[Any, np.ndarray]]:
-    """Distinct objects of a sequence, each with the indices at which it stands."""
+    """Distinct objects of a sequence, each with its indices."""
     places: dict[int, list[int]] = {}
     for place, value in enumerate(values):
         places.setdefault(id(value), []).append(place)

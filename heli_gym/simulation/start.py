@@ -1,4 +1,4 @@
-"""Start of a flight: its plant, its state, and what follows from them."""
+"""Start of a flight: its plant, its state, and derived quantities."""
 
 import math
 from typing import Any, NamedTuple
@@ -61,13 +61,13 @@ from heli_gym.simulation.layout import (
 )
 from heli_gym.task import TABLE_WIDTH
 
-NEARLY = 1e-4  # control periods, to which a delay counts as a whole number of them
+NEARLY = 1e-4  # control periods, tolerance within which a delay is a whole number of periods
 
 
 class Ranges(NamedTuple):
-    """Ranges of the rows `row` (R,) from which plants are drawn: low + span * uniforms[index], each (A, R).
+    """Ranges of the rows `row` (R,) of drawn plants: low + span * uniforms[index], each (A, R).
 
-    Of the A alternatives, the helicopter j draws one of `count[j]` from `first[j]` on.
+    The helicopter j draws one of the `count[j]` alternatives that start at index `first[j]` of A.
     """
 
     row: Any
@@ -79,7 +79,7 @@ class Ranges(NamedTuple):
 
 
 def sample_parameters(block: Any, i: int, ranges: Ranges, j: int, u: Any) -> None:
-    """Write the plant j at the uniform numbers u into the helicopter i of a block."""
+    """Write the plant j, drawn at the uniform numbers u, into the helicopter i of a block."""
     count = ranges.count[j]
     choice = ranges.first[j]
     if count > 1:
@@ -92,9 +92,9 @@ def sample_parameters(block: Any, i: int, ranges: Ranges, j: int, u: Any) -> Non
 
 
 def init_state(block: Any, i: int, s: Settings, table: Any, initial: Any, u: Any, state: Any, step: Any) -> None:
-    """Start the helicopter i from its `initial` rows: at its reference or, if there is one, in a state (6,).
+    """Initialise the helicopter i from its `initial` rows, in the given state (6,) or, without one, at its reference.
 
-    At this step of its reference or, if that is negative, at the one that follows from the uniform numbers u.
+    It starts at the given step of its reference; a negative step is drawn from the uniform numbers u.
     """
     for row in range(len(initial)):
         block[row * ROW + i] = initial[row]
@@ -119,9 +119,10 @@ def init_state(block: Any, i: int, s: Settings, table: Any, initial: Any, u: Any
 
 
 def init_derived(block: Any, i: int, s: Settings) -> None:
-    """Compute the rows that follow from the plant and the state of the helicopter i, its first measurement among them.
+    """Compute the rows derived from plant and state of the helicopter i, including its first measurement.
 
-    The first rates are the true ones, as if the estimator had been running before. Delayed voltages are the first ones.
+    The first rate estimates are the true rates, as after a long run of the estimator. All delayed voltages are the
+    initial ones.
     """
     delay = block[DELAY * ROW + i]
     periods = floor(delay / s.period + NEARLY)
@@ -156,7 +157,7 @@ def init_derived(block: Any, i: int, s: Settings) -> None:
 
 
 def hover_scale(block: Any, i: int) -> Any:
-    """Factor on the power curves with which the helicopter i hovers level at HOVER_VOLTAGE; 1 where that is not set."""
+    """Factor on the power curves that makes the helicopter i hover level at HOVER_VOLTAGE; 1 if that is not set."""
     u = block[HOVER_VOLTAGE * ROW + i]
     if u == 0.0:
         return 1.0

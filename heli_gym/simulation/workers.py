@@ -1,4 +1,4 @@
-"""Threads that share the blocks of a control step; flights are the same for any number of them."""
+"""Threads that share the blocks of a control step; flights do not depend on their number."""
 
 import itertools
 import math
@@ -8,23 +8,23 @@ import time
 from collections.abc import Callable
 from functools import cache
 
-CHUNKS = 8  # of a step for each thread, so that one that is interrupted holds up little
-PROBE_SHARE = 0.01  # of the time, at most, for trying whether the slower way has become the faster one
-MEMORY = 0.2  # weight of the latest step in the mean time of a way
+CHUNKS = 8  # of a step for each thread, so that an interrupted thread delays only a small part
+PROBE_SHARE = 0.01  # largest share of the time spent on trials of the slower mode
+MEMORY = 0.2  # weight of the latest step in the mean time of a mode
 
 
 class Job:
-    """A loop over [0, count) in chunks; whoever calls `work` takes the next ones until there are none left."""
+    """Loop over [0, count) in chunks; every thread that calls `work` takes the next chunk until all are done."""
 
     def __init__(self, task: Callable[[int, int], int], count: int, chunk: int) -> None:
         self.task, self.count, self.chunk = task, count, chunk
-        self.starts = itertools.count(0, chunk)  # the next one is taken atomically
+        self.starts = itertools.count(0, chunk)  # `next` is atomic
         self.left = -(-count // chunk)
         self.total = 0
         self.lock, self.finished = threading.Lock(), threading.Event()
 
     def work(self) -> None:
-        """Do chunks until none is left."""
+        """Process chunks until all are taken."""
         for start in self.starts:
             if start >= self.count:
                 return
@@ -37,7 +37,7 @@ class Job:
 
 
 class Pool:
-    """Threads that join in the latest job. One pool serves all simulations of a process."""
+    """Threads that work on the latest job; one pool serves all simulations of a process."""
 
     def __init__(self, threads: int) -> None:
         self.semaphore, self.threads = threading.Semaphore(0), threads
@@ -55,30 +55,30 @@ class Pool:
         return job.total
 
     def serve(self) -> None:
-        """Join in job after job."""
+        """Work on one job after another; the loop of a thread."""
         while True:
             self.semaphore.acquire()
             job = self.job
             if job is not None:
                 job.work()
-            del job  # its arrays are the caller's
+            del job  # release the caller's arrays
 
 
 @cache
 def pool(threads: int, process: int) -> Pool:
-    """The pool of a process, for threads do not survive a fork."""
+    """Pool of threads, one per process, since threads do not survive a fork."""
     return Pool(threads)
 
 
 class Workers:
-    """Loops over blocks by several threads, or by the caller alone where that has proved faster.
+    """Loop over blocks with several threads, or in the caller alone if that has been faster.
 
-    Threads do not pay for few helicopters, or while other processes hold the cores; so both ways are timed all along.
+    Threads are slower for few helicopters or while other processes use the cores, so both modes are timed continually.
     """
 
     def __init__(self, threads: int) -> None:
         self.threads, self.steps, self.next_probe = threads, 0, 0
-        self.means = {True: 0.0, False: 0.0}  # s a step, with the other threads and without; zero: not tried yet
+        self.means = {True: 0.0, False: 0.0}  # s per step, with and without the other threads; zero: not tried yet
 
     def run(self, task: Callable[[int, int], int], count: int) -> int:
         """Call the task with ranges (begin, end) that cover [0, count), and return the sum of its results."""
@@ -89,7 +89,7 @@ class Workers:
         begin = time.perf_counter()
         total = pool(self.threads, os.getpid()).run(task, count) if together else task(0, count)
         took, mean = time.perf_counter() - begin, self.means[together]
-        if self.steps > 1:  # the first one compiles
+        if self.steps > 1:  # the first step compiles
             self.means[together] = took if mean == 0.0 else (1.0 - MEMORY) * mean + MEMORY * took
             fast, slow = sorted(self.means.values())
             if self.steps >= self.next_probe and fast > 0.0:
