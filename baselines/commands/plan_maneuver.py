@@ -102,12 +102,15 @@ def path_limits(args: Args) -> dict[str, float]:
     return limits
 
 
-def read_floor(path: Path) -> tuple[np.ndarray, np.ndarray]:
+def read_floor(path: Path) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Travel and elevation (N,) in rad of a line in space. Raises ValueError for a file that holds none."""
     try:
         with open(path, newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
-        return tuple(np.radians([float(row[name]) for row in rows]) for name in ("travel_deg", "elevation_deg"))  # type: ignore[return-value]
+        travel, elevation = (
+            tuple(radians(float(row[name])) for row in rows) for name in ("travel_deg", "elevation_deg")
+        )
+        return travel, elevation
     except (KeyError, TypeError, ValueError) as error:
         raise ValueError(f"floor = {str(path)!r}: must have the columns travel_deg and elevation_deg") from error
 

@@ -20,9 +20,10 @@ def find_condition(name: str | Plant) -> Plant:
     if not isinstance(name, str) or not name.endswith(OUTSIDE):
         return find_plant(name)
     plant = find_plant(name.removesuffix(OUTSIDE))
+    travel, elevation, pitch = map(widened, plant.friction.coulomb, COULOMB)
     return replace(
         plant,
-        friction=replace(plant.friction, coulomb=tuple(map(widened, plant.friction.coulomb, COULOMB))),
+        friction=replace(plant.friction, coulomb=(travel, elevation, pitch)),
         disturbances=(*plant.disturbances, RotorFault("front", WEAKER), *GUSTS),
     )
 
