@@ -1,10 +1,10 @@
-"""Extended Kalman filter that estimates what a controller of (3) does not know, from the three encoder angles alone.
+"""Extended Kalman filter for unmeasured states and uncertain parameters of (3), from the three encoder angles.
 
-State: (44), the rotor speeds, and as slowly varying parameters the rotor lag, a gain of the thrust, viscous friction of
-the three axes and three accelerations that (3) does not explain (Gelb, Applied Optimal Estimation, Section 6.1; Ljung,
-"Asymptotic behavior of the extended Kalman filter as a parameter estimator for linear systems", IEEE TAC 24(1), 1979).
-The priors are the documented ranges of the plant `lab`; no draw is ever used. The transition is one Runge-Kutta step
-of `model.dynamics`, differentiated by differences, so that the filter follows the model.
+The filter's state holds (44), the rotor speeds and slowly varying parameters: rotor lag, thrust gain, viscous friction
+of the three axes, two centrifugal coefficients and three disturbance accelerations (Gelb, Applied Optimal Estimation,
+Section 6.1; Ljung, "Asymptotic behavior of the extended Kalman filter as a parameter estimator for linear systems",
+IEEE TAC 24(1), 1979). The priors are the documented ranges of the plant `lab`, never a draw. The transition is one
+Runge-Kutta step of `model.dynamics`, differentiated by finite differences, so that the filter follows the model.
 """
 
 import math
@@ -22,62 +22,62 @@ from heli_gym.parameters import HelicopterParameters
 from heli_gym.plant import LAB_FRICTION, LAB_ROTORS, Uniform
 from heli_gym.rig import Rig
 
-# Places in the filter's state (N_STATES,): (44); rotor speeds as voltages in V; lag in s; gain of the thrust;
+# Indices in the filter's state (N_STATES,): (44); rotor speeds as voltages in V; lag in s; thrust gain;
 # friction in 1/s, on top of the parameters' own; coefficients of two centrifugal terms; accelerations in rad/s².
 ROTORS, LAG, GAIN, FRICTION, CENTRIFUGAL, DISTURBANCE, N_STATES = 6, 8, 9, 10, 13, 15, 18
-LEVER = 0.27  # distance of a rotor from the pitch axis over that of the body from the travel axis, of such rigs
-N_FLIGHT = 8  # states before the parameters
+LEVER = 0.27  # typical ratio: rotor to pitch axis over body to travel axis
+N_FLIGHT = 8  # states before the parameters: (44) and the rotor speeds
 # Estimates of the parameters, from LAG on, are clipped to what is physically possible.
 LOWEST = (0.02, 0.5, 0.0, 0.0, 0.0, -1.5, -1.5, -3.0, -3.0, -3.0)
 HIGHEST = (0.5, 1.5, 1.5, 1.5, 1.5, 1.5, 1.5, 3.0, 3.0, 3.0)
-SURPRISE = 6.0  # standard deviations of an innovation that no model explains: a knock, or a slip of the encoder
-# Ranges of the coefficients of `unmodelled`: of the bodies of such rigs, and of any body.
+OUTLIER = 6.0  # standard deviations; a larger innovation is an outlier: a knock, or a slip of the encoder
+# Prior ranges of the coefficients in `unmodelled`: LIFT for laboratory rigs, TURN for any rigid body.
 LIFT, TURN = Uniform(-0.17, 0.17), Uniform(-1.0, 0.0)
-ROTOR_DEVIATION = 0.3  # V, of the rotor speeds before a flight
-N_SAMPLES = 129  # of the thrust map
-STEP = 1e-6  # of the differences, in units of the states
+ROTOR_DEVIATION = 0.3  # V, prior standard deviation of the rotor speeds
+N_SAMPLES = 129  # samples of the thrust map
+STEP = 1e-6  # finite-difference step, in units of the states
 
 
 class Fans(NamedTuple):
-    """Thrust map of a rig, (front, back), sampled for the compiler: in between, cubic, which is exact for (2)."""
+    """Sampled thrust map of a rig (front, back) for the compiler; cubic interpolation is exact for (2)."""
 
     samples: Any  # (2, 2, n) thrusts in N and their slopes in N/V
-    low: float  # V, of the first sample
-    step: float  # V, from sample to sample
-    inverse: Any  # (2, n) voltages in V, linear in between
-    least: Any  # (2,) N, of the first of these
-    rise: Any  # (2,) N, from one to the next
+    low: float  # V, voltage of the first sample
+    step: float  # V, voltage between samples
+    inverse: Any  # (2, n) voltages in V at equidistant thrusts, interpolated linearly
+    least: Any  # (2,) N, least thrust
+    rise: Any  # (2,) N, thrust between the entries of `inverse`
 
 
 class Model(NamedTuple):
-    """Equation (3) with everything that the filter estimates."""
+    """Equation (3) with the estimates of the filter."""
 
     parameters: Any  # HelicopterParameters, with the estimated friction in it
     fans: Any  # Fans
-    gain: Any  # of the thrust
+    gain: Any  # of the thrust, 1 for the rig's own map
     lag: Any  # s
     centrifugal: Any  # 1, coefficients of `unmodelled`
     disturbance: Any  # three accelerations in rad/s²
 
 
 class FilterNoise(NamedTuple):
-    """Intensities of what drives the filter's states, and which of its parameters are estimated."""
+    """Process-noise intensities of the filter, prior deviations, and whether parameters are estimated."""
 
     acceleration: float = 0.01  # rad/s per sqrt(s), white, on every axis
     travel_disturbance: float = 0.008  # rad/s² per sqrt(s), random walks
     elevation_disturbance: float = 0.008
     pitch_disturbance: float = 0.03
-    parameters: float = 0.02  # random walk of the other parameters, in prior standard deviations per sqrt(s)
+    parameters: float = 0.02  # random walk of the parameters, in prior standard deviations per sqrt(s)
     start_disturbance: float = 0.03  # rad/s², standard deviation before a flight
-    adaptive: bool = True  # whether parameters are estimated, or stay at the means of their priors
+    adaptive: bool = True  # False holds the parameters at the means of their priors
 
 
 def sample_thrust_map(rig: Rig, voltage_limits: tuple[float, float]) -> Fans:
-    """The thrust map of a rig between voltages (min, max) in V."""
+    """Sample the thrust map of a rig between voltages (min, max) in V."""
     u, step = np.linspace(*voltage_limits, N_SAMPLES, retstep=True)
     f = rig.thrust(np.stack((u, u)))
     rises = np.diff(f, axis=1)
-    # Slopes are kept finite where a curve has a corner, and the cubics monotone.
+    # Limited slopes stay finite at corners of a curve and make the cubics monotone.
     steepest = 3.0 * np.minimum(np.pad(rises, ((0, 0), (1, 0)), "edge"), np.pad(rises, ((0, 0), (0, 1)), "edge")) / step
     slope = np.minimum(rig.thrust_slope(np.stack((u, u))), steepest)
     thrusts = np.linspace(f[:, 0], f[:, -1], N_SAMPLES, axis=1)
@@ -87,7 +87,7 @@ def sample_thrust_map(rig: Rig, voltage_limits: tuple[float, float]) -> Fans:
 
 
 def fan_thrust(fans: Any, fan: int, u: float) -> float:
-    """Thrust in N of a fan, 0 or 1, at the voltage u in V."""
+    """Thrust in N of fan 0 or 1 at the voltage u in V."""
     at = (u - fans.low) / fans.step
     k = min(max(int(at), 0), N_SAMPLES - 2)
     r = at - k
@@ -98,14 +98,14 @@ def fan_thrust(fans: Any, fan: int, u: float) -> float:
 
 
 def fan_voltage(fans: Any, fan: int, f: float) -> float:
-    """Voltage in V, within the amplifier's limits, at which a fan, 0 or 1, thrusts f in N."""
+    """Voltage in V for the thrust f in N of fan 0 or 1, clipped to the sampled range."""
     at = min(max((f - fans.least[fan]) / fans.rise[fan], 0.0), N_SAMPLES - 1.0)
     k = min(int(at), N_SAMPLES - 2)
     return fans.inverse[fan, k] + (at - k) * (fans.inverse[fan, k + 1] - fans.inverse[fan, k])
 
 
 def with_estimates(s: Any, p: Any, fans: Any) -> Model:
-    """Model at the filter's state s (N_STATES,), given nominal parameters and fans."""
+    """Model with the estimates in the filter's state s (N_STATES,), from nominal parameters p."""
     adapted = HelicopterParameters(
         p.k_plus,
         p.k_minus,
@@ -124,7 +124,7 @@ def with_estimates(s: Any, p: Any, fans: Any) -> Model:
 
 
 def unexplained(x: Any, v: Any, model: Any, p: Any) -> tuple:
-    """Accelerations (3) in rad/s² of the model less those of (3) with nominal parameters p, at x and thrusts v."""
+    """Accelerations (3,) in rad/s² of the model minus those of (3) with nominal parameters p, at x and v."""
     q = model.parameters
     on_travel, on_elevation, on_pitch = unmodelled(x, dynamics(x, v, p, sin, cos)[1], model)
     return (
@@ -135,11 +135,11 @@ def unexplained(x: Any, v: Any, model: Any, p: Any) -> tuple:
 
 
 def unmodelled(x: Any, ddq1: Any, model: Any) -> tuple:
-    """Accelerations (3) in rad/s² that (3) lacks, at a travel acceleration ddq1: disturbances and Coriolis effects.
+    """Accelerations (3,) in rad/s² added to (3): disturbances and centrifugal terms, at a travel acceleration ddq1.
 
-    As the arm turns, a body that hangs off its line is lifted or lowered (the first coefficient), and a long body is
-    turned level (the second: minus its inertia about the pitch axis that lies along its length, in units of all of it).
-    The latter's reactions on travel and elevation follow, for a level arm, from the ratios of the axes' inertias; see
+    While the arm turns, a body off the arm's line is lifted or lowered (first coefficient), and a long body is turned
+    level (second coefficient: minus the share of its pitch inertia that is distributed along its length). The reactions
+    of the second term on travel and elevation follow, for a level arm, from the ratios of the axes' inertias. Source:
     `rigid_body.mass_matrix` and `coriolis`.
     """
     on_travel, on_elevation, on_pitch = model.disturbance
@@ -153,14 +153,14 @@ def unmodelled(x: Any, ddq1: Any, model: Any) -> tuple:
 
 
 def model_derivative(x: Any, v: Any, model: Any) -> tuple:
-    """Equation (3) with the accelerations of the model."""
+    """State derivative (6,) by (3) and `unmodelled`."""
     dq1, ddq1, dq2, ddq2, dq3, ddq3 = dynamics(x, v, model.parameters, sin, cos)
     on_travel, on_elevation, on_pitch = unmodelled(x, ddq1, model)
     return dq1, ddq1 + on_travel, dq2, ddq2 + on_elevation, dq3, ddq3 + on_pitch
 
 
 def advance(x: tuple, w: tuple, u: tuple, dt: float, model: Any) -> tuple:
-    """State (6) and rotor speeds (2) after dt seconds at the voltages u (2): `estimation.predict`, for the compiler."""
+    """State (6,) and rotor speeds (2,) after dt seconds at the voltages u (2,): `estimation.predict`, compiled."""
     fans, gain, lag = model.fans, model.gain, model.lag
     middle = rotor_response(w[0], u[0], lag, 0.5 * dt), rotor_response(w[1], u[1], lag, 0.5 * dt)
     end = rotor_response(w[0], u[0], lag, dt), rotor_response(w[1], u[1], lag, dt)
@@ -173,7 +173,7 @@ def advance(x: tuple, w: tuple, u: tuple, dt: float, model: Any) -> tuple:
 
 
 def advance_filter_state(s: Any, u: tuple, dt: float, p: Any, fans: Any) -> tuple:
-    """The first N_FLIGHT entries of the filter's state s (N_STATES,) after dt seconds."""
+    """Entries 0 to N_FLIGHT - 1 of the filter's state s (N_STATES,) after dt seconds at the voltages u (2,)."""
     return advance((s[0], s[1], s[2], s[3], s[4], s[5]), (s[6], s[7]), u, dt, with_estimates(s, p, fans))
 
 
@@ -181,12 +181,12 @@ def predict_one(s: Any, P: Any, F: Any, FP: Any, u: tuple, dt: float, p: Any, fa
     """Propagate estimate s (N_STATES,) and covariance P (N_STATES, N_STATES) in place; F and FP are scratch."""
     after = advance_filter_state(s, u, dt, p, fans)
     for j in range(N_STATES):
-        kept = s[j]
-        s[j] = kept + STEP
-        moved = advance_filter_state(s, u, dt, p, fans)
-        s[j] = kept
+        value = s[j]
+        s[j] = value + STEP
+        shifted = advance_filter_state(s, u, dt, p, fans)
+        s[j] = value
         for i in range(N_FLIGHT):
-            F[i, j] = (moved[i] - after[i]) / STEP
+            F[i, j] = (shifted[i] - after[i]) / STEP
     for i in range(N_FLIGHT):
         s[i] = after[i]
         for j in range(N_STATES):
@@ -209,14 +209,14 @@ def predict_one(s: Any, P: Any, F: Any, FP: Any, u: tuple, dt: float, p: Any, fa
 
 
 def update_one(s: Any, P: Any, column: Any, angles: tuple, variance: float, dt: float, fans: Any) -> None:
-    """Condition s and P in place on the three measured angles, one after the other.
+    """Update s and P in place with the three measured angles, one after the other.
 
-    A surprise makes angle and rate of its axis uncertain, so that these follow the measurement and parameters do not.
+    An outlier inflates the variances of its axis first: angle and rate follow it, the parameters do not.
     """
     for axis in range(3):
         row = 2 * axis
         innovation = angles[axis] - s[row]
-        if innovation * innovation > SURPRISE * SURPRISE * (P[row, row] + variance):
+        if innovation * innovation > OUTLIER * OUTLIER * (P[row, row] + variance):
             P[row, row] += innovation * innovation
             P[row + 1, row + 1] += (innovation / dt) ** 2
         for i in range(N_STATES):
@@ -245,7 +245,10 @@ def filter_step(
     updates: bool,
     predicts: bool,
 ) -> None:
-    """Update with angles (3, N), then predict over a period at the voltages u (2, N): s (N_STATES, N), P in place."""
+    """Update s (N_STATES, N) and P (N_STATES, N_STATES, N) in place: measurement update, then prediction.
+
+    angles (3, N) in rad are used if `updates`, the voltages u (2, N) in V of one control period if `predicts`.
+    """
     one, covariance = np.empty(N_STATES), np.empty((N_STATES, N_STATES))
     F, FP, column = np.zeros((N_FLIGHT, N_STATES)), np.empty((N_FLIGHT, N_STATES)), np.empty(N_STATES)
     for n in range(s.shape[1]):
@@ -265,7 +268,7 @@ def filter_step(
 
 @cache
 def compiled_filter_step() -> Any:
-    """`filter_step`, compiled at its first use."""
+    """Compile `filter_step` at its first use."""
     return Compiler(loops=(predict_one, update_one, advance_filter_state)).entry(filter_step)
 
 
@@ -278,20 +281,20 @@ class Estimate(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class AdaptiveFilter:
-    """The filter with its tuning. All methods return new estimates."""
+    """Extended Kalman filter with its tuning; all methods return new estimates."""
 
     rig: Rig
     control_period: float
     noise: FilterNoise
-    voltage_limits: tuple[float, float] | None = None  # V, the rig's by default
+    voltage_limits: tuple[float, float] | None = None  # V; the rig's by default
 
     @cached_property
     def fans(self) -> Fans:
-        """The sampled thrust map."""
+        """Thrust map of the rig, sampled between the voltage limits."""
         return sample_thrust_map(self.rig, self.voltage_limits or self.rig.voltage_limits)
 
     def init(self, x: np.ndarray, u: np.ndarray) -> Estimate:
-        """Prior at states x (6, N), rotors at the voltages u (2, N)."""
+        """Prior estimate at states x (6, N) with the rotors at the voltages u (2, N) in V."""
         mean, deviation = prior_moments(self.noise)
         on_angles, on_rates, _ = START_DEVIATIONS
         deviations = (
@@ -302,7 +305,7 @@ class AdaptiveFilter:
         return Estimate(s, np.repeat(np.diag(np.square(deviations))[:, :, None], count, axis=2))
 
     def step(self, estimate: Estimate, angles: np.ndarray | None, u: np.ndarray | None) -> Estimate:
-        """Condition on the angles (3, N) in rad, if given, then predict over a control period at u (2, N) in V."""
+        """Estimate after an update with angles (3, N) in rad and a period at u (2, N) in V; None skips either."""
         s, P = estimate.s.copy(), estimate.P.copy()
         nothing = np.empty((3, 0))
         compiled_filter_step()(
@@ -322,7 +325,7 @@ class AdaptiveFilter:
 
 
 def prior_moments(noise: FilterNoise) -> tuple[np.ndarray, np.ndarray]:
-    """Means and standard deviations (7,) of the parameters, of documented uniform ranges."""
+    """Prior means and standard deviations (7,) of the parameters, from their documented uniform ranges."""
     loss: Uniform = LAB_ROTORS.thrust_loss
     ranges = [LAB_ROTORS.lag, Uniform(1.0 - loss.high, 1.0 - loss.low), *LAB_FRICTION.viscous, LIFT, TURN]
     mean = np.array([0.5 * (one.low + one.high) for one in ranges])
@@ -332,7 +335,7 @@ def prior_moments(noise: FilterNoise) -> tuple[np.ndarray, np.ndarray]:
 
 @cache
 def process_noise(noise: FilterNoise, dt: float) -> np.ndarray:
-    """Covariance (N_STATES, N_STATES) of what drives the filter in dt seconds."""
+    """Process-noise covariance (N_STATES, N_STATES) for a step of dt seconds."""
     Q = np.zeros((N_STATES, N_STATES))
     for axis in range(3):
         angle, rate = 2 * axis, 2 * axis + 1
@@ -340,6 +343,6 @@ def process_noise(noise: FilterNoise, dt: float) -> np.ndarray:
         Q[angle, angle], Q[rate, rate] = intensity * dt**3 / 3.0, intensity * dt
         Q[angle, rate] = Q[rate, angle] = intensity * dt**2 / 2.0
         Q[DISTURBANCE + axis, DISTURBANCE + axis] = noise[1 + axis] ** 2 * dt
-    places = range(LAG, DISTURBANCE)
-    Q[places, places] = (noise.parameters * prior_moments(noise)[1]) ** 2 * dt
+    indices = range(LAG, DISTURBANCE)
+    Q[indices, indices] = (noise.parameters * prior_moments(noise)[1]) ** 2 * dt
     return Q

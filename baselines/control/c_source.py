@@ -1,7 +1,7 @@
-"""A policy as self-contained C99: header and source of the whole controller, without allocation.
+"""Export of a policy as self-contained C99: header and source of the whole controller, without allocation.
 
-The control laws are the files in `c_code`; what is written here are the numbers in front of them. The source does what
-the policy does at the times of its control grid; between these, `feedforward+tvlqr` and its kin interpolate.
+The files in `c_code` hold the control laws; this module writes the constants in front of them. At the times of the
+control grid the C code returns the policy's voltages.
 """
 
 import math
@@ -59,7 +59,7 @@ void heli_step({real} t, const {real} y[6], {real} u[2]);
 
 
 class CSource:
-    """Numbers and code of a controller, in one precision."""
+    """C source under construction: settings, constant arrays and code in one precision."""
 
     def __init__(self, precision: str) -> None:
         if precision not in PRECISIONS:
@@ -72,24 +72,24 @@ class CSource:
         self.code: list[str] = []
 
     def number(self, value: float) -> str:
-        """A literal."""
+        """C literal of a finite number. Raises ValueError otherwise."""
         if not math.isfinite(value):
             raise ValueError(f"number = {value!r}: must be finite to be exported")
         return f"{self.dtype(value).item()!r}{self.suffix}" if self.suffix == "" else self.short(value)
 
     def short(self, value: float) -> str:
-        """A single-precision literal, by the fewest digits that mean it."""
+        """Shortest single-precision literal that reads back as the value."""
         text = np.format_float_scientific(np.float32(value), unique=True, trim="0")
         return f"{text}{self.suffix}"
 
     def define(self, **settings: Any) -> None:
-        """Constants, floating or whole."""
+        """Add constants, floating-point or integer, by name."""
         for name, value in settings.items():
             whole = isinstance(value, bool | int | np.integer)
             self.settings[name] = str(int(value)) if whole else f"({self.number(float(value))})"
 
     def array(self, name: str, values: Any) -> None:
-        """A constant array, of one or two dimensions."""
+        """Add a constant array of one or two dimensions."""
         values = np.asarray(values, dtype=float)
         shape = "".join(f"[{n}]" for n in values.shape)
         rows = values if values.ndim == 2 else values[None]
@@ -98,14 +98,14 @@ class CSource:
         self.arrays.append(f"static const real {name}{shape} = {{\n    {body}\n}};")
 
     def use(self, template: str, replacements: Mapping[str, str] | None = None) -> None:
-        """Append a file of `c_code`."""
+        """Append a file of `c_code`, with text replacements."""
         text = (TEMPLATES / template).read_text()
         for old, new in (replacements or {}).items():
             text = text.replace(old, new)
         self.code.append(text)
 
     def text(self, title: str) -> str:
-        """The whole source."""
+        """Complete C source under a title comment."""
         common, *code = self.code
         include, _, rest = common.partition("#define LAST")
         functions = [f"#define {name.upper()} {name}{self.suffix.lower()}" for name in FUNCTIONS]
@@ -117,9 +117,9 @@ class CSource:
 
 
 def c_source(policy: Policy, rig: Rig, name: str, precision: str = "double") -> dict[str, str]:
-    """The files `heli_controller.h` and `heli_controller.c` of a policy for a rig, by their names.
+    """Contents of `heli_controller.h` and `heli_controller.c`, by file name, for a policy on a rig.
 
-    Raises ValueError for an unknown precision, and for a policy that has no C form.
+    Raises ValueError for an unknown precision and for a policy without a C form.
     """
     source, title = CSource(precision), f"{name} for the rig {rig.name}"
     source.use("common.c")
@@ -137,7 +137,7 @@ def c_source(policy: Policy, rig: Rig, name: str, precision: str = "double") -> 
 
 
 def add_base(source: CSource, policy: Policy, rig: Rig, name: str) -> None:
-    """Everything but a learned correction."""
+    """Add the base policy, without a learned correction. Raises ValueError for a policy without a C form."""
     if isinstance(policy, TrackingPolicy):
         add_thrust_map(source, policy.rig, forward=False)
         source.define(SAMPLES=policy.x.shape[1])
@@ -155,7 +155,7 @@ def add_base(source: CSource, policy: Policy, rig: Rig, name: str) -> None:
 
 
 def add_model_based(source: CSource, policy: ModelPolicy) -> None:
-    """Observer, predictor and regulator of a `ModelPolicy`."""
+    """Add observer, predictor and regulator of a `ModelPolicy`."""
     regulator, actuator, rig = policy.regulator, policy.actuator, policy.regulator.rig
     period, p = policy.control_period, rig.parameters
     add_thrust_map(source, rig, forward=True)
@@ -190,14 +190,14 @@ def add_model_based(source: CSource, policy: ModelPolicy) -> None:
 
 
 def add_thrust_map(source: CSource, rig: Rig, forward: bool) -> None:
-    """`front_voltage` and `back_voltage`, and with `forward` their inverses too."""
+    """Add the functions `front_voltage` and `back_voltage`; with `forward` their inverses too."""
     for rotor in ("front", "back"):
         curve = getattr(rig.thrust_map, rotor)
         source.code.append(thrust_curve(source, rotor, curve, forward))
 
 
 def thrust_curve(source: CSource, rotor: str, curve: ThrustCurve, forward: bool) -> str:
-    """The C functions of one rotor's curve."""
+    """C functions of one rotor's thrust curve."""
     if isinstance(curve, TableCurve):
         upper, points = rotor.upper(), len(curve.voltages)
         below, above = curve.end_slopes
@@ -238,7 +238,7 @@ static real {rotor}_thrust(real u) {{
 
 
 def add_residual(source: CSource, policy: ResidualPolicy) -> None:
-    """The learned correction."""
+    """Add the learned correction. Raises ValueError for a network or a base without a C form."""
     network = policy.network
     head = network.head if isinstance(network, RecurrentNetwork) else network
     if not isinstance(head, Network):

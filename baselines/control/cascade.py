@@ -1,4 +1,4 @@
-"""Cascades of single loops, as such rigs fly in laboratories, and the flatness-based one; neither has an observer."""
+"""Cascaded loops without an observer: PD and PID, common on laboratory rigs, and flatness-based tracking."""
 
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -15,29 +15,28 @@ from heli_gym.trajectory import Trajectory
 
 
 class CascadeGains(NamedTuple):
-    """Of the loops of travel and elevation, which command accelerations, and of the pitch loop inside."""
+    """Gains of the outer loops (travel, elevation), which command accelerations, and of the inner pitch loop."""
 
     travel: float = 0.9  # 1/s²
     travel_rate: float = 1.6  # 1/s
     elevation: float = 4.0  # 1/s²
     elevation_rate: float = 3.0  # 1/s
-    integral: float = 1.0  # 1/s³, of the error of elevation
+    integral: float = 1.0  # 1/s³, on the integral of the elevation error
     pitch: float = 10.0  # 1/s²
     pitch_rate: float = 5.0  # 1/s
 
 
 @dataclass(eq=False)
 class CascadePolicy(StatefulPolicy):
-    """Travel commands pitch, pitch commands the thrust difference, elevation the thrust sum.
+    """Cascade: travel commands pitch, pitch commands the thrust difference, elevation commands the thrust sum.
 
-    Without `flat`, three loops of PD and PID controllers about hover, with no feedforward (Quanser, "3-DOF Helicopter:
-    laboratory manual", 2012; Åström and Murray, Feedback Systems, 2nd ed., Section 11.3). With `flat`, travel and
-    elevation are flat outputs: the loops add to the reference's accelerations, and (3) is inverted at the measured
-    state (Kiefer, Kugi, Kemmetmüller, "Modeling and flatness-based control of a 3DOF helicopter laboratory experiment",
-    NOLCOS 2004).
+    Without `flat`, PD and PID loops act about hover, with no feedforward (Quanser, "3-DOF Helicopter: laboratory
+    manual", 2012; Åström and Murray, Feedback Systems, 2nd ed., Section 11.3). With `flat`, travel and elevation are
+    flat outputs: the loops add to the reference's accelerations, and (3) is inverted at the measured state (Kiefer,
+    Kugi, Kemmetmüller, "Modeling and flatness-based control of a 3DOF helicopter laboratory experiment", NOLCOS 2004).
 
     x (6, K + 1) and accelerations (3, K + 1) are the reference's on the control grid. The memory is the integral (...)
-    of the error of elevation in rad s.
+    of the elevation error in rad s.
     """
 
     x: np.ndarray
@@ -52,11 +51,11 @@ class CascadePolicy(StatefulPolicy):
 
     @property
     def reference_states(self) -> np.ndarray:
-        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        """Reference states (6, K + 1) on the control grid; `fly` checks them."""
         return self.x
 
     def init(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
-        """No error has been integrated."""
+        """Zero integral (...) of the elevation error."""
         return np.zeros(measurement.shape[1:])
 
     def step(self, memory: np.ndarray, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -89,14 +88,14 @@ class CascadePolicy(StatefulPolicy):
 
 
 def cascade(reference: Trajectory, control_period: float, rig: Rig, gains: CascadeGains, flat: bool) -> CascadePolicy:
-    """A cascade for a reference."""
+    """Make a cascade for a reference."""
     x, u = control_grid(reference, control_period)
     accelerations = np.stack(dynamics(x, virtual_input(rig.thrust(u)), rig.parameters)[1::2])
     limits = reference.limits.pitch
     return CascadePolicy(x, accelerations, rig, gains, flat, limits, control_period, rig.voltage_limits)
 
 
-# Found by differential evolution on 12 nominal helicopters and 12 draws of `lab`, 180 candidates.
+# PD: differential evolution, 180 candidates on 12 nominal helicopters and 12 draws of `lab`.
 PD = CascadeGains(
     travel=0.318, travel_rate=9.45, elevation=4.61, elevation_rate=2.63, integral=4.27, pitch=17.4, pitch_rate=7.82
 )
@@ -104,10 +103,10 @@ FLAT = CascadeGains()
 
 
 def pd_cascade(reference: Trajectory, control_period: float, rig: Rig) -> CascadePolicy:
-    """PD loops of travel and pitch and a PID loop of elevation about hover, without feedforward."""
+    """Cascade of PD loops for travel and pitch and a PID loop for elevation about hover, without feedforward."""
     return cascade(reference, control_period, rig, PD, flat=False)
 
 
 def flatness(reference: Trajectory, control_period: float, rig: Rig) -> CascadePolicy:
-    """Flatness-based tracking: exact linearisation of travel and elevation, with the pitch loop inside."""
+    """Flatness-based tracking: exact linearisation of travel and elevation around an inner pitch loop."""
     return cascade(reference, control_period, rig, FLAT, flat=True)

@@ -1,4 +1,4 @@
-"""Policies that ignore the measurement: constant voltages, as floors of comparisons."""
+"""Policies with constant voltages: lower bounds for comparisons."""
 
 from dataclasses import dataclass
 
@@ -12,7 +12,7 @@ from heli_gym.trajectory import Trajectory
 
 @dataclass(frozen=True)
 class ConstantVoltage(MemorylessPolicy):
-    """The same voltage in V at both fans at all times."""
+    """Policy with the constant voltage u in V on both fans."""
 
     u: float
 
@@ -22,7 +22,7 @@ class ConstantVoltage(MemorylessPolicy):
 
 @dataclass
 class MiddleVoltage(MemorylessPolicy):
-    """The middle of the amplifier's range at both fans, where an untrained agent starts."""
+    """Policy with the middle of the amplifier's range on both fans, where an untrained agent starts."""
 
     voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
 
@@ -31,10 +31,10 @@ class MiddleVoltage(MemorylessPolicy):
 
 
 def zero(reference: Trajectory, control_period: float, rig: Rig) -> ConstantVoltage:
-    """Motors off."""
+    """Policy with the motors off."""
     return ConstantVoltage(0.0)
 
 
 def middle_voltage(reference: Trajectory, control_period: float, rig: Rig) -> MiddleVoltage:
-    """The middle of the amplifier's range."""
+    """Policy with the middle of the rig's voltage range."""
     return MiddleVoltage(rig.voltage_limits)

@@ -1,8 +1,8 @@
-"""The tasks of a course on optimal control with this rig: a travel move as a QP, with LQR, and over an elevation bump.
+"""Tasks of a university course on optimal control: a travel move by QP, with LQR feedback, and over an elevation bump.
 
-An inner loop, PD on pitch and PID on elevation, takes commands every 0.25 s. On the rig linearised about hover with
-that loop closed, the commands are the solution of a quadratic program (OSQP) or, over the bump, of a nonlinear one
-(IPOPT); a discrete LQR corrects them by the measured state.
+An inner loop (PD on pitch, PID on elevation) receives a command every 0.25 s. A quadratic program (OSQP) plans the
+commands on the linearised closed loop; with the bump it is a nonlinear program (IPOPT). A discrete LQR corrects the
+commands by the measured state.
 """
 
 import math
@@ -22,16 +22,16 @@ from heli_gym.rig import Rig
 from heli_gym.trajectory import Trajectory
 
 STEP = 0.25  # s, between commands
-PITCH_COMMAND = math.radians(30.0)  # rad, at most
-PITCH_PRICE, ELEVATION_PRICE = 1.0, 1.0  # per rad² of the commands, against one per rad² of the travel error
+PITCH_COMMAND = math.radians(30.0)  # rad, limit of the pitch command
+PITCH_PRICE, ELEVATION_PRICE = 1.0, 1.0  # per rad² of the command; the travel error costs 1 per rad²
 BUMP_HEIGHT, BUMP_SHARPNESS = 0.2, 20.0  # rad and 1/rad²: elevation >= HEIGHT exp(-SHARPNESS (travel - middle)²)
-BUMP_PLACE = 1.0 / 3.0  # share of the travel at which the bump is
-STATE_PRICE = np.array([5.0, 1.0, 0.5, 0.2, 10.0, 1.0])  # of the LQR: travel, pitch, elevation and their rates
-COMMAND_PRICE = np.array([1.0, 1.0])  # of the LQR: pitch and elevation
+BUMP_PLACE = 1.0 / 3.0  # position of the bump, as a share of the travel
+STATE_PRICE = np.array([5.0, 1.0, 0.5, 0.2, 10.0, 1.0])  # LQR weights: travel, rate, pitch, rate, elevation, rate
+COMMAND_PRICE = np.array([1.0, 1.0])  # LQR weights: pitch and elevation command
 
 
 class InnerLoop(NamedTuple):
-    """Bandwidths and dampings of the inner loops, as the course sets them, and the integral gain of elevation."""
+    """Bandwidths and damping ratios of the inner loops, as in the course, and the integral gain of elevation."""
 
     pitch: float = 1.8  # rad/s
     pitch_damping: float = 1.0
@@ -44,7 +44,7 @@ COURSE_LOOP = InnerLoop()
 
 
 class Model(NamedTuple):
-    """x+ = A x + B c over STEP: states (travel, rate, pitch, rate, elevation, rate), commands (pitch, elevation)."""
+    """Linear model x+ = A x + B c over STEP: x (travel, rate, pitch, rate, elevation, rate), c (pitch, elevation)."""
 
     A: np.ndarray  # (6, 6)
     B: np.ndarray  # (6, 2)
@@ -52,14 +52,14 @@ class Model(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Schedule:
-    """Commands (2, N) of pitch and elevation in rad, STEP apart, and the states (6, N + 1) that the model predicts."""
+    """Commands (2, N) of pitch and elevation in rad, STEP apart, and predicted states (6, N + 1)."""
 
     commands: np.ndarray
     x: np.ndarray
 
 
 def linear_model(rig: Rig, loop: InnerLoop = InnerLoop()) -> Model:
-    """The rig about level hover under the inner loop, sampled exactly; the integral part is left out."""
+    """Exactly sampled model of the rig about level hover under the inner loop, without its integral part."""
     p = rig.parameters
     lift = float(hover_input(0.0, p)[0])
     A, B = np.zeros((6, 6)), np.zeros((6, 2))
@@ -82,9 +82,9 @@ def travel_by_qp(
     price: float = PITCH_PRICE,
     loop: InnerLoop = InnerLoop(),
 ) -> Schedule:
-    """Move the travel by an angle in rad: least squares of travel error and pitch command, within the pitch limit.
+    """Plan a travel move by an angle in rad: least squares of travel error and pitch command, solved by OSQP.
 
-    A quadratic program in all states and commands, solved by OSQP; pitch and its command stay within the limit.
+    The quadratic program has all states and commands as variables; pitch and its command stay within the limit.
     Raises ImportError without OSQP, ValueError for a duration under two steps, RuntimeError if OSQP gives up.
     """
     steps = steps_of(duration)
@@ -95,7 +95,7 @@ def travel_by_qp(
     model = linear_model(rig, loop)
     A, B = model.A[:4, :4], model.B[:4, :1]
     n, start, goal = 4 * steps, np.zeros(4), np.array([travel, 0.0, 0.0, 0.0])
-    # variables: x1..xN, c0..cN-1
+    # Variables of the program: x1..xN, c0..cN-1.
     error_price = sparse.kron(sparse.eye(steps), sparse.diags([1.0, 0.0, 0.0, 0.0]))
     P = 2.0 * sparse.block_diag((error_price, price * sparse.eye(steps)), format="csc")
     q = np.concatenate((np.tile(-2.0 * np.array([travel, 0.0, 0.0, 0.0]), steps), np.zeros(steps)))
@@ -139,7 +139,7 @@ def travel_over_bump(
     pitch_limit: float = PITCH_COMMAND,
     loop: InnerLoop = InnerLoop(),
 ) -> Schedule:
-    """The same move over a bump of the elevation on the way: a nonlinear program, solved by IPOPT.
+    """Plan the move of `travel_by_qp` over an elevation bump: a nonlinear program, solved by IPOPT.
 
     Raises ImportError without CasADi, ValueError for a duration under two steps, RuntimeError if IPOPT gives up.
     """
@@ -163,10 +163,10 @@ def travel_over_bump(
 
 
 def flat_over_bump(rig: Rig, travel: float = math.pi, duration: float = 15.0) -> Trajectory:
-    """The same move as a reference of this package: smooth in the flat outputs, 2 % above the bump.
+    """Trajectory of the move over the bump for `feedforward+tvlqr`: smooth flat outputs, 2 % above the bump.
 
-    For `feedforward+tvlqr`; slower than the duration in s where the rig's limits ask for that. Raises ValueError if the
-    rig cannot fly it at any of the speeds that are tried.
+    The flight lasts longer than the duration in s if the rig's limits require it. Raises ValueError if the rig cannot
+    fly it at any speed tried.
     """
 
     def motion(t: np.ndarray, duration: float) -> tuple[np.ndarray, np.ndarray]:
@@ -184,19 +184,19 @@ def bump(position: Any, travel: float, exp: Any = np.exp) -> Any:
 
 
 def elevation_sign(rig: Rig) -> float:
-    """What an elevation is multiplied by to be positive upwards."""
+    """Factor that makes an elevation of the rig positive upwards: 1 or -1."""
     return -1.0 if rig.parameters.b2 < 0.0 else 1.0
 
 
 def steps_of(duration: float) -> int:
-    """Number of commands. Raises ValueError for a duration in s under two steps."""
+    """Number of commands in a duration in s. Raises ValueError for less than two steps."""
     if not (math.isfinite(duration) and duration >= 2.0 * STEP):
         raise ValueError(f"duration = {duration!r}: must be at least {2.0 * STEP:g} s, and finite")
     return round(duration / STEP)
 
 
 def lqr_gain(rig: Rig, loop: InnerLoop = InnerLoop()) -> np.ndarray:
-    """Gain K (2, 6) of c = c* - K (x - x*) on the model, by the discrete algebraic Riccati equation."""
+    """Gain K (2, 6) of c = c* - K (x - x*) for the linear model, by the discrete algebraic Riccati equation."""
     A, B = linear_model(rig, loop)
     Q, R = np.diag(STATE_PRICE), np.diag(COMMAND_PRICE)
     P = solve_discrete_are(A, B, Q, R)
@@ -205,9 +205,9 @@ def lqr_gain(rig: Rig, loop: InnerLoop = InnerLoop()) -> np.ndarray:
 
 @dataclass(eq=False)
 class SchedulePolicy:
-    """Commands out of a schedule, corrected by a gain K (2, 6) if there is one, for the inner loop on the rig.
+    """Policy that sends scheduled commands to the inner loop, corrected by an optional gain K (2, 6).
 
-    Raises ValueError if the control period does not fit into STEP a whole number of times.
+    Raises ValueError for a control period that is not positive or longer than STEP.
     """
 
     schedule: Schedule
@@ -225,13 +225,13 @@ class SchedulePolicy:
             raise ValueError(f"control_period = {self.control_period!r}: must be more than 0 and at most {STEP:g} s")
 
     def reset(self, rng: np.random.Generator) -> None:
-        """Forget the last flight."""
+        """Clear the integral and the command of the last flight."""
         self.integral, self.command, self.step = 0.0, None, -1
 
     def __call__(self, t: float, measurement: np.ndarray) -> np.ndarray:
         travel, dtravel, elevation, delevation, pitch, dpitch = np.asarray(measurement, dtype=float)
         k = min(int(step_index(t, self.control_period, 10**9) * self.control_period / STEP + 1e-9), 10**6)
-        if k != self.step:  # new commands only every STEP
+        if k != self.step:  # a new command only every STEP
             last = self.schedule.commands.shape[1] - 1
             command = self.schedule.commands[:, k] if k <= last else np.zeros(2)
             if self.gain is not None:
@@ -246,6 +246,6 @@ class SchedulePolicy:
         wanted_elevation = loop.elevation**2 * (self.command[1] - elevation)
         wanted_elevation -= 2.0 * loop.elevation_damping * loop.elevation * delevation
         wanted_elevation -= loop.elevation_integral * self.integral
-        # PD and PID about hover: only what holds the arm level is known to the inner loop
+        # The inner loop knows only the thrust of level hover; PD and PID do the rest.
         v1 = hover_input(0.0, p)[0] + wanted_elevation / p.b2
         return self.rig.voltage(np.stack(fan_thrusts((v1, wanted_pitch / p.b3))))

@@ -1,7 +1,7 @@
-"""Linear quadratic regulators on the control grid, for (3) with rotors that lag and with integrals of the error.
+"""Linear quadratic regulators on the control grid, for (3) with rotor lag and error integrals.
 
-The continuous-time regulator of the paper is in `baselines/paper/tvlqr.py`; these are in discrete time (Åström and
-Wittenmark, Computer-Controlled Systems, 3rd ed., Chapter 11), where a hold, a lag and an integral are only more states.
+The paper's continuous-time regulator is in `baselines/paper/tvlqr.py`. In discrete time (Åström and Wittenmark,
+Computer-Controlled Systems, 3rd ed., Chapter 11) rotor lag and error integrals are additional states.
 """
 
 from dataclasses import astuple, dataclass, fields
@@ -15,15 +15,14 @@ from heli_gym.baselines.control.protocol import is_finite
 from heli_gym.model import hover_input, linearise
 from heli_gym.parameters import HelicopterParameters
 
-INTEGRATED = (0, 2)  # of (44): travel and elevation
+INTEGRATED = (0, 2)  # indices in (44): travel and elevation
 
 
 @dataclass(frozen=True)
 class Weights:
-    """The diagonals of Q and R in (49): per rad², (rad/s)² and N².
+    """Diagonals of Q and R in (49), per rad², (rad/s)² and N².
 
-    Raises ValueError, here and in subclasses, for a value that is not a finite number, at least 0, or, on the thrusts,
-    not more than 0.
+    Raises ValueError, here and in subclasses, for a weight that is negative or not finite, or a thrust weight of 0.
     """
 
     travel: float
@@ -44,28 +43,28 @@ class Weights:
 
     @property
     def Q(self) -> np.ndarray:
-        """(6, 6)"""
+        """State weights (6, 6)."""
         return np.diag(astuple(self)[:6])
 
     @property
     def R(self) -> np.ndarray:
-        """(2, 2)"""
+        """Input weights (2, 2)."""
         return np.diag(astuple(self)[6:8])
 
 
 @dataclass(frozen=True)
 class IntegralWeights(Weights):
-    """The same, and those of the integrals of the errors of travel and elevation, per (rad s)²."""
+    """Weights with two more, on the integrals of the travel and elevation errors, per (rad s)²."""
 
     travel_integral: float
     elevation_integral: float
 
 
 def augmented(A: np.ndarray, B: np.ndarray, lag: float, integral: bool) -> tuple[np.ndarray, np.ndarray]:
-    """The linearisation A (K, 6, 6), B (K, 6, 2) with more states, in this order, and what remains of its input v.
+    """Linearisation A (K, n, n), B (K, n, 2) with additional states after the six of A (K, 6, 6), B (K, 6, 2).
 
-    - With a lag in s: v (2,) itself, which follows the v that is asked for. For small deviations, the lag of the rotor
-      speed is one of the thrust, with the same time constant.
+    - With a lag in s: the input v (2,) itself, which follows the commanded v. For small deviations, a lag of the rotor
+      speed is a lag of the thrust with the same time constant.
     - With `integral`: the integrals (2,) of the deviations of travel and elevation (Davison and Smith, "Pole assignment
       in linear time-invariant multivariable systems with constant disturbances", Automatica 7(4), 1971).
     """
@@ -85,18 +84,18 @@ def augmented(A: np.ndarray, B: np.ndarray, lag: float, integral: bool) -> tuple
 
 
 class Problem(NamedTuple):
-    """A sampled linear-quadratic problem along K times, on the states of `augmented`."""
+    """Sampled linear-quadratic problem at K times, on the states of `augmented`."""
 
     A: np.ndarray  # (K, n, n) transitions
     B: np.ndarray  # (K, n, 2)
-    Q: np.ndarray  # (n, n) cost of a control period
+    Q: np.ndarray  # (n, n) state cost of one control period
     R: np.ndarray  # (2, 2)
 
 
 def sampled_problem(
     x: np.ndarray, v: np.ndarray, dt: float, parameters: HelicopterParameters, weights: Weights, lag: float
 ) -> Problem:
-    """The problem that regulates deviations from x (6, K), v (2, K), with the inputs held for dt seconds."""
+    """Linear-quadratic problem for deviations from x (6, K), v (2, K), with inputs held for dt seconds."""
     A, B = (np.moveaxis(part, -1, 0) for part in linearise(x, v, parameters))
     A, B = discretise(*augmented(A, B, lag, isinstance(weights, IntegralWeights)), dt)
     n = A.shape[1]
@@ -110,10 +109,10 @@ def sampled_problem(
 def regulator_gains(
     x: np.ndarray, v: np.ndarray, dt: float, parameters: HelicopterParameters, weights: Weights, lag: float = 0.0
 ) -> np.ndarray:
-    """Gains (2, n, K) along the reference x (6, K), v (2, K), dt seconds apart, on the states of `augmented`.
+    """Gains (2, n, K) on the states of `augmented` along a reference x (6, K), v (2, K), dt seconds apart.
 
-    By the Riccati difference equation, backwards from the cost of holding hover at the reference's last elevation for
-    ever. With `IntegralWeights`, integrals are among the states.
+    The Riccati difference equation runs backwards from the stationary cost of hover at the reference's last elevation.
+    `IntegralWeights` add the error integrals to the states.
     """
     elevation = float(x[2, -1])
     x = np.concatenate((x, [[0.0], [0.0], [elevation], [0.0], [0.0], [0.0]]), axis=1)

@@ -1,10 +1,10 @@
-"""What a controller may assume beyond (3): rotors that lag, a delay, and disturbances that it has to estimate.
+"""Prediction and estimation for controllers: rotor lag, delay and disturbances beyond (3).
 
-Controllers know one nominal actuator, not the plant's draw. `predict` simulates it, which tells the rotor speeds that
-nobody measures and bridges the delay (a Smith predictor in state space: Åström and Wittenmark, Computer-Controlled
-Systems, 3rd ed., Section 5.4). `kalman_gains` are those of a Kalman filter on the three angles, with the accelerations
-that (3) does not explain as three more states (Anderson and Moore, Optimal Filtering, Chapters 3 and 5);
-`disturbance_accommodated_reference` is what a reference becomes that has to live with them.
+Controllers know one nominal actuator, not the plant's draw. `predict` simulates it: this estimates the unmeasured rotor
+speeds and compensates the delay (a Smith predictor in state space: Åström and Wittenmark, Computer-Controlled Systems,
+3rd ed., Section 5.4). `kalman_gains` designs a Kalman filter on the three angles with three disturbance accelerations
+as additional states (Anderson and Moore, Optimal Filtering, Chapters 3 and 5). `disturbance_accommodated_reference`
+changes a reference so that it balances the estimated disturbances.
 """
 
 import math
@@ -27,20 +27,20 @@ from heli_gym.model import (
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.rig import Rig
 
-ANGLES = (0, 2, 4)  # in (44)
+ANGLES = (0, 2, 4)  # indices in (44)
 RATES = (1, 3, 5)
-ENCODER_NOISE = 4e-4  # rad, standard deviation: the rounding of 4096 counts per revolution, 2 pi / 4096 / sqrt(12)
-ENCODER_COUNTS = 4096  # per revolution, for which that is
-SETTLED = 1.0  # s, from the start of a flight on, after which the filter has forgotten when that was
-START_DEVIATIONS = (0.05, 0.05, 0.2)  # of angles (rad), rates (rad/s) and disturbances (rad/s²), before a flight
-# share of the thrust of hover from which on disturbances are outweighed by a tilt: 0.2 N of the paper's rig
+ENCODER_NOISE = 4e-4  # rad, standard deviation of rounding to 4096 counts per revolution: 2 pi / 4096 / sqrt(12)
+ENCODER_COUNTS = 4096  # per revolution, of ENCODER_NOISE
+SETTLED = 1.0  # s after the start of a flight, until the filter's gains no longer depend on the start
+START_DEVIATIONS = (0.05, 0.05, 0.2)  # prior: angles (rad), rates (rad/s), disturbances (rad/s²)
+# Least lift for which a tilt balances disturbances, as a share of hover thrust: 0.2 N on the paper's rig.
 LEAST_LIFT = 0.2 / float(hover_input(0.0, HelicopterParameters())[0])
 
 
 class Actuator(NamedTuple):
-    """From a voltage that is asked for to a thrust."""
+    """Nominal dynamics from the commanded voltage to the rotor speed."""
 
-    lag: float = 0.1  # s, first order, of the rotor speed: about the middle of the range of the plant `lab`
+    lag: float = 0.1  # s, first order, of the rotor speed; about the middle of the range of the plant `lab`
     delay: int = 1  # control periods
 
 
@@ -48,12 +48,12 @@ IDEAL = Actuator(0.0, 0)
 
 
 def nominal_actuator(rig: Rig, control_period: float) -> Actuator:
-    """The rig's nominal lag and delay, the latter in whole control periods."""
+    """Nominal lag of the rig and its delay, rounded to whole control periods."""
     return Actuator(rig.lag, round(rig.delay / control_period))
 
 
 def rotor_response(w: Any, u: Any, lag: float, time: float) -> Any:
-    """Rotor speeds (2, ...), as voltages in V, a time in s after they were w and the voltages u were switched on."""
+    """Rotor speeds (2, ...), as voltages in V, a time in s after the speeds w under constant voltages u."""
     return u + (w - u) * math.exp(-time / lag) if lag else u
 
 
@@ -69,7 +69,7 @@ def predict(x: Any, w: Any, u: Any, disturbance: Any, dt: float, lag: float, rig
 
 
 def disturbed_dynamics(x: Any, v: Any, disturbance: Any, parameters: HelicopterParameters) -> tuple:
-    """Equation (3) with more accelerations (3, ...) in rad/s²."""
+    """State derivative (6, ...) by (3) with additional accelerations (3, ...) in rad/s²."""
     dq1, ddq1, dq2, ddq2, dq3, ddq3 = dynamics(x, v, parameters)
     on_travel, on_elevation, on_pitch = disturbance
     return dq1, ddq1 + on_travel, dq2, ddq2 + on_elevation, dq3, ddq3 + on_pitch
@@ -78,7 +78,7 @@ def disturbed_dynamics(x: Any, v: Any, disturbance: Any, parameters: HelicopterP
 def discretise(A: np.ndarray, B: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:
     """Transitions (K, n, n) and (K, n, m) over dt seconds of the systems A (K, n, n), B (K, n, m) with held inputs.
 
-    The Taylor series of the exponential up to order four, which is what Runge-Kutta of order four gives.
+    The matrix exponential is a Taylor series up to order four, as in a Runge-Kutta step of order four.
     """
     n, m = B.shape[1:]
     term = np.broadcast_to(np.eye(n + m), (len(A), n + m, n + m))
@@ -92,16 +92,16 @@ def discretise(A: np.ndarray, B: np.ndarray, dt: float) -> tuple[np.ndarray, np.
 
 
 class Noise(NamedTuple):
-    """Intensities of what drives the states of the Kalman filter."""
+    """Process-noise intensities of the Kalman filter."""
 
-    travel_disturbance: float  # rad/s² per sqrt(s): the random walk of each disturbance
+    travel_disturbance: float  # rad/s² per sqrt(s), random walk of each disturbance
     elevation_disturbance: float
     pitch_disturbance: float
-    acceleration: float  # rad/s per sqrt(s): white acceleration, on every axis
+    acceleration: float  # rad/s per sqrt(s), white acceleration on every axis
 
 
 def encoder_noise(rig: Rig) -> float:
-    """Standard deviation in rad of the angles' rounding, by the coarsest of the rig's encoders."""
+    """Standard deviation in rad of the rounding error of the rig's coarsest encoder."""
     return ENCODER_NOISE * (ENCODER_COUNTS / min(rig.encoder_counts))
 
 
@@ -113,10 +113,10 @@ def kalman_gains(
     noise: Noise,
     angle_noise: float = ENCODER_NOISE,
 ) -> np.ndarray:
-    """Gains (9, 3, K) from the innovations of the angles to the states and disturbances, from the start of a flight on.
+    """Kalman gains (9, 3, K) from the angles' innovations to states and disturbances, from the start of a flight.
 
-    The flight is along a reference x (6, K), v (2, K), dt seconds apart. The filter's states are (44) and three
-    accelerations in rad/s², random walks; its covariances follow from (3), linearised along the reference.
+    The filter's states are (44) and three accelerations in rad/s², modelled as random walks. The covariances follow
+    from (3), linearised along the reference x (6, K), v (2, K), dt seconds apart.
     """
     A = np.moveaxis(linearise(x, v, parameters)[0], -1, 0)
     extended = np.zeros((len(A), 9, 9))
@@ -126,7 +126,7 @@ def kalman_gains(
     drive = np.zeros((9, 6))
     drive[RATES, (0, 1, 2)] = noise.acceleration
     drive[(6, 7, 8), (3, 4, 5)] = noise[:3]
-    # the noise of a period, by the trapezoidal rule: a random walk of the acceleration is felt in rate and angle too
+    # Process noise of a period by the trapezoidal rule: a random acceleration also changes rate and angle.
     driven = transitions @ drive
     process = 0.5 * dt * (drive @ drive.T + driven @ driven.transpose(0, 2, 1))
     on_angles, on_rates, on_disturbances = START_DEVIATIONS
@@ -150,21 +150,21 @@ def settling_gains(
     start: int,
     angle_noise: float = ENCODER_NOISE,
 ) -> np.ndarray:
-    """The first gains (9, 3, J) of `kalman_gains`, for a flight that begins at this index of the reference."""
+    """Kalman gains (9, 3, J) of the first SETTLED seconds of a flight that starts at the index `start`."""
     along = slice(start, start + settling_periods(dt))
     return kalman_gains(x[:, along], v[:, along], dt, parameters, noise, angle_noise)
 
 
 def settling_periods(dt: float) -> int:
-    """After how many steps of dt seconds a filter has settled."""
+    """Number of steps of dt seconds until a filter has settled."""
     return max(1, round(SETTLED / dt))
 
 
 @dataclass(frozen=True, eq=False)
 class Observer:
-    """Kalman filter with precomputed gains (9, 3, K + 1) on the control grid, of a flight from the reference's start.
+    """Kalman filter with precomputed gains (9, 3, K + 1) on the control grid, for flights from the reference's start.
 
-    A flight that begins in some later period uses settling(period) (9, 3, J) instead while the filter settles.
+    A flight that starts in a later period uses the gains settling(period) (9, 3, J) until the filter has settled.
     """
 
     gains: np.ndarray
@@ -175,15 +175,15 @@ class Observer:
     def __call__(
         self, x: np.ndarray, disturbance: np.ndarray, measurement: np.ndarray, now: Any, start: Any
     ) -> tuple[np.ndarray, np.ndarray]:
-        """State (6, ...) and disturbance (3, ...) after the measurement (6, ...), of which only the angles count.
+        """State (6, ...) and disturbance (3, ...), updated with the angles of the measurement (6, ...).
 
-        x and disturbance are the predictions; now and start, the present and the first control period, may be (N,).
+        x and disturbance are predictions; now and start are the present and the first control period, each also (N,).
         """
         correction = apply_gains(self.gains_at(now, start), (measurement - x)[0::2])
         return x + correction[:6], disturbance + correction[6:]
 
     def gains_at(self, now: Any, start: Any) -> np.ndarray:
-        """Gains (9, 3), or (9, 3, N) of N times, in this period of flights that began in others."""
+        """Gains (9, 3), or (9, 3, N), in the control period `now` of flights that started in the period `start`."""
         settles = (start > 0) & (now - start < settling_periods(self.control_period))
         if np.ndim(now) == 0:
             return self.first_gains(start)[:, :, now - start] if settles else self.gains[:, :, now]
@@ -193,7 +193,7 @@ class Observer:
         return gains
 
     def first_gains(self, start: int) -> np.ndarray:
-        """`settling`, computed once."""
+        """Gains settling(start), computed once for each start."""
         if start not in self.known:
             self.known[start] = self.settling(start)
         return self.known[start]
@@ -202,9 +202,9 @@ class Observer:
 def disturbance_accommodated_reference(
     x: Any, v: Any, disturbance: Any, pitch_limits: tuple[float, float], parameters: HelicopterParameters
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Reference x (6, ...), v (2, ...) with the pitch and the thrusts that also outweigh a disturbance (3, ...).
+    """Reference x (6, ...), v (2, ...) with pitch and thrusts that balance a disturbance (3, ...) in rad/s².
 
-    Travel, elevation and all rates are those of the reference; see `accommodate`.
+    Travel, elevation and all rates stay unchanged; see `accommodate`.
     """
     q1, dq1, q2, dq2, _, dq3 = x
     tilt, v1, v2 = accommodate(x, v, disturbance, pitch_limits, least_lift(parameters), parameters)
@@ -213,18 +213,18 @@ def disturbance_accommodated_reference(
 
 
 def least_lift(parameters: HelicopterParameters) -> float:
-    """Lift in N from which on a tilt may outweigh disturbances."""
+    """Least lift in N for which a tilt balances disturbances."""
     return LEAST_LIFT * float(hover_input(0.0, parameters)[0])
 
 
 def accommodate(
     x: Any, v: Any, disturbance: Any, pitch_limits: tuple[float, float], lift: float, parameters: HelicopterParameters
 ) -> tuple:
-    """Pitch in rad and inputs v1, v2 in N that accelerate as x (6, ...), v (2, ...) do in (3), despite a disturbance.
+    """Pitch in rad and inputs v1, v2 in N that give the accelerations of x (6, ...), v (2, ...) despite a disturbance.
 
-    In (3a) and (3b) the thrust is a vector, v1 (sin q3, cos q3). To it is added what balances the disturbances of
-    travel and elevation, which only a tilt can do for travel; the thrust difference holds the tilt, by (3c). The pitch
-    stays within its limits, and as upright as if there were some lift in N where there is none.
+    In (3a) and (3b) the thrust is a vector v1 (sin q3, cos q3). The vector that balances the disturbances of travel and
+    elevation is added to it; the sum gives tilt and v1. The thrust difference v2 holds the tilt by (3c). The tilt stays
+    within the pitch limits and assumes at least `lift` in N upwards.
     """
     q1, dq1, q2, dq2, _, dq3 = x
     on_travel, on_elevation, on_pitch = disturbance
@@ -233,5 +233,5 @@ def accommodate(
     ddq2 = ddq2 - on_elevation
     across, upright = thrust_vector(x, ddq1 - on_travel, ddq2, parameters, np.sin, np.cos)
     tilt = np.minimum(np.maximum(np.arctan2(across, np.maximum(upright, lift)), low), high)
-    _, held = inverse_dynamics((q1, dq1, q2, dq2, tilt, dq3), ddq2, ddq3 - on_pitch, parameters, np.sin, np.cos)
-    return tilt, np.hypot(across, upright), held
+    _, v2 = inverse_dynamics((q1, dq1, q2, dq2, tilt, dq3), ddq2, ddq3 - on_pitch, parameters, np.sin, np.cos)
+    return tilt, np.hypot(across, upright), v2

@@ -1,4 +1,4 @@
-"""Iterative learning control: voltages are corrected from flight to flight of one maneuver by one helicopter.
+"""Iterative learning control: corrects the voltages from flight to flight of one maneuver by one helicopter.
 
 Norm-optimal, in the lifted form, in parallel to a feedback controller (Bristow, Tharayil and Alleyne, "A survey of
 iterative learning control", IEEE Control Systems Magazine 26(3), 2006).
@@ -16,15 +16,15 @@ from heli_gym.baselines.control.model_based import ModelPolicy
 from heli_gym.baselines.control.protocol import StatefulPolicy, expand_batch_dims, step_index
 from heli_gym.model import linearise, virtual_input
 
-EFFORT = 0.02  # degree² per V², of a correction against the errors that it should remove
-SHARE = 0.8  # of the correction that a flight suggests; less is slower, and calmer where the model is wrong
+EFFORT = 0.02  # degree² per V², weight of the correction against the tracking error
+SHARE = 0.8  # learning rate; a smaller one is slower, and more robust to model errors
 
 
 @dataclass(eq=False)
 class LearnedFeedforward(StatefulPolicy):
-    """A model-based policy with corrections (2, K + 1) in V, which `learn` updates after every flight.
+    """Model-based policy with voltage corrections (2, K + 1) in V, updated by `learn` after every flight.
 
-    It flies one helicopter at a time, and notes what it measures in a flight from the reference's start.
+    It flies one helicopter at a time and records the measurements of a flight from the reference's start.
     """
 
     base: ModelPolicy
@@ -36,11 +36,11 @@ class LearnedFeedforward(StatefulPolicy):
 
     @property
     def reference_states(self) -> np.ndarray:
-        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        """Reference states (6, K + 1) on the control grid; `fly` checks them."""
         return self.base.x
 
     def reset(self, rng: np.random.Generator) -> None:
-        """Forget the last flight, but not what was learned from it."""
+        """Clear the memory and the record of the last flight; the corrections stay."""
         super().reset(rng)
         self.measured = []
 
@@ -60,9 +60,9 @@ class LearnedFeedforward(StatefulPolicy):
 
     @cached_property
     def lifted(self) -> np.ndarray:
-        """Response (2 K, 2 K) in rad of travel and elevation, period by period, to voltages in the periods before.
+        """Lifted response (2 K, 2 K) in rad/V of travel and elevation in each period to voltages in the earlier ones.
 
-        Of the nominal helicopter along the reference, with lag and delay, in closed loop.
+        The model is the nominal helicopter in closed loop along the reference, with lag and delay.
         """
         regulator, lag, delay = self.base.regulator, self.base.actuator.lag, self.base.actuator.delay
         rig, steps = regulator.rig, regulator.x.shape[1] - 1
@@ -81,7 +81,7 @@ class LearnedFeedforward(StatefulPolicy):
         return response.reshape(2 * steps, 2 * steps)
 
     def learn(self) -> None:
-        """Correct the voltages after a flight, by the measured angles; a flight that ended early counts too."""
+        """Update the corrections with the angles measured in the last flight, also if it ended early."""
         steps, states = self.base.x.shape[1] - 1, np.array(self.measured).T
         error = np.zeros((steps, 2))
         flown = min(states.shape[1] - 1, steps)

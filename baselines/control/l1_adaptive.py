@@ -1,4 +1,4 @@
-"""L1 adaptive augmentation of the lag-aware regulator: fast estimates of unknown accelerations, low-pass filtered."""
+"""L1 adaptive augmentation of the lag-aware regulator: fast disturbance estimates behind a low-pass filter."""
 
 import math
 from dataclasses import dataclass, field
@@ -16,11 +16,11 @@ from heli_gym.trajectory import Trajectory
 
 
 class L1Settings(NamedTuple):
-    """Tuning of the adaptive law."""
+    """Settings of the adaptive law."""
 
     predictor: float = 5.0  # 1/s, pole of the state predictor
-    bandwidth: float = 2.0  # rad/s, of the low-pass filter between estimate and control
-    largest: float = 0.5  # rad/s², to which estimates are projected
+    bandwidth: float = 2.0  # rad/s, low-pass filter between estimate and control
+    largest: float = 0.5  # rad/s², bound of the estimates
 
 
 class Memory(NamedTuple):
@@ -29,16 +29,16 @@ class Memory(NamedTuple):
     rates: np.ndarray  # (3, ...) predicted; rad/s
     filtered: np.ndarray  # (3, ...) estimated accelerations after the low-pass filter; rad/s²
     rotors: np.ndarray  # (2, ...) simulated rotor speeds, as voltages; V
-    pending: tuple[np.ndarray, ...]  # (2, ...) each, commanded and not yet in effect; V
+    pending: tuple[np.ndarray, ...]  # (2, ...) each in V: commands still in the delay line, oldest first
 
 
 @dataclass(eq=False)
 class L1Policy(StatefulPolicy):
-    """The regulator of `kalman-lqr` on the measured state, disturbances from the piecewise-constant adaptive law.
+    """Regulator of `kalman-lqr` on the measured state, with disturbances from the piecewise-constant adaptive law.
 
-    Xargay, Hovakimyan and Cao, "L1 adaptive controller for multi-input multi-output systems in the presence of
-    nonlinear unmatched uncertainties", ACC 2010: the estimate is what would cancel the predictor's error within one
-    control period; the low-pass filter keeps its high frequencies out of the control.
+    The estimate would cancel the predictor's error within one control period; a low-pass filter removes its high
+    frequencies from the control (Xargay, Hovakimyan and Cao, "L1 adaptive controller for multi-input multi-output
+    systems in the presence of nonlinear unmatched uncertainties", ACC 2010).
     """
 
     regulator: Regulator
@@ -50,11 +50,11 @@ class L1Policy(StatefulPolicy):
 
     @property
     def reference_states(self) -> np.ndarray:
-        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        """Reference states (6, K + 1) on the control grid; `fly` checks them."""
         return self.regulator.x
 
     def init(self, t: float | np.ndarray, measurement: np.ndarray) -> Memory:
-        """No disturbance, rotors at the reference's voltages."""
+        """Memory without a disturbance, with the rotors at the reference's voltages."""
         u = expand_batch_dims(self.regulator.u[:, self.index(t)], measurement) + np.zeros(measurement.shape[1:])
         return Memory(measurement[1::2], np.zeros_like(measurement[1::2]), u, (u,) * self.actuator.delay)
 
@@ -75,18 +75,18 @@ class L1Policy(StatefulPolicy):
         return u, Memory(x[1::2] + decay * off, filtered, rotors, pending[1:])
 
     def predict(self, x: Any, rotors: Any, u: Any, disturbance: Any) -> tuple[np.ndarray, np.ndarray]:
-        """State (6, ...) and rotor speeds (2, ...) a control period later."""
+        """State (6, ...) and rotor speeds (2, ...) one control period later."""
         return predict(x, rotors, u, disturbance, self.control_period, self.actuator.lag, self.regulator.rig)
 
     def index(self, t: Any) -> Any:
-        """Control period of the time t in s."""
+        """Index of the control period at the time t in s."""
         return step_index(t, self.control_period, self.reference_states.shape[1] - 1)
 
 
 def l1_adaptive(
     reference: Trajectory, control_period: float, rig: Rig, weights: ObserverWeights = KALMAN_LQR
 ) -> L1Policy:
-    """The regulator of `kalman-lqr` with L1 estimates of the disturbances."""
+    """Regulator of `kalman-lqr` with L1 estimates of the disturbances."""
     actuator = nominal_actuator(rig, control_period)
     regulator = make_regulator(reference, control_period, rig, weights, actuator.lag)
     return L1Policy(regulator, actuator, L1Settings(), control_period, rig.voltage_limits)

@@ -1,4 +1,4 @@
-"""Offset-free linear MPC: a quadratic program in the deviations from the reference, solved by OSQP every period.
+"""Offset-free linear MPC: OSQP solves a quadratic program in the deviations from the reference every period.
 
 Pannocchia and Rawlings, "Disturbance models for offset-free model-predictive control", AIChE Journal 49(2), 2003;
 Stellato et al., "OSQP: an operator splitting solver for quadratic programs", Math. Prog. Comp. 12, 2020.
@@ -24,20 +24,19 @@ from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
 NODES = 40
-NODE = 0.04  # s, from node to node
-STAGE = np.array([3283.0, 0.0, 3283.0, 0.0, 10.0, 1.0, 0.0, 0.0])  # 3283 1/rad² is one per degree²
+NODE = 0.04  # s, between nodes
+STAGE = np.array([3283.0, 0.0, 3283.0, 0.0, 10.0, 1.0, 0.0, 0.0])  # 3283 1/rad² is 1 per degree²
 TERMINAL = np.array([16400.0, 3283.0, 16400.0, 3283.0, 60.0, 6.0, 0.0, 0.0])
-EFFORT = 20.0  # 1/N², of each fan's thrust
-LEAST_LAG = 1e-3  # s, of the rotors in the prediction
+EFFORT = 20.0  # 1/N², weight of each fan's thrust
+LEAST_LAG = 1e-3  # s, least rotor lag in the prediction
 
 
 @dataclass(eq=False)
 class LinearMpcPolicy(FilteredPolicy):
-    """Linear MPC on the filter without adaptation, whose disturbances move the target, so that no offset is left.
+    """Linear MPC without offset: the disturbances of the non-adaptive filter shift its target.
 
-    The states of the program are the deviations (8) of (44) and of the thrusts' sum and difference from the target,
-    its inputs the fans' thrusts, within what the amplifier can give; the prediction is (3), linearised along the
-    reference.
+    The states of the program are the deviations (8,) of (44), thrust sum and thrust difference from the target. Its
+    inputs are the fans' thrusts, within the amplifier's limits. The prediction is (3), linearised along the reference.
     """
 
     pitch_limits: tuple[float, float] = (-1.0, 1.0)
@@ -49,10 +48,10 @@ class LinearMpcPolicy(FilteredPolicy):
         A, B = (np.moveaxis(part, -1, 0) for part in linearise(self.x, self.v, rig.parameters))
         A, B = augmented(A, B, max(rig.lag, LEAST_LAG), False)
         self.A, B = discretise(A, B, self.stride * self.control_period)
-        self.B = B @ np.array([[1.0, 1.0], [1.0, -1.0]])  # of the fans' thrusts
+        self.B = B @ np.array([[1.0, 1.0], [1.0, -1.0]])  # input: the fans' thrusts
 
     def condensed(self, k: int) -> tuple[np.ndarray, np.ndarray]:
-        """Hessian (2 NODES, 2 NODES), and gradient (2 NODES, 8) per deviation at the control period k."""
+        """Hessian (2 NODES, 2 NODES) and gradient per deviation (2 NODES, 8) of the condensed program in period k."""
         last = self.x.shape[1] - 1
         free, forced = np.eye(8), np.zeros((8, 2 * NODES))
         H, g = EFFORT * np.eye(2 * NODES), np.zeros((2 * NODES, 8))
@@ -69,7 +68,7 @@ class LinearMpcPolicy(FilteredPolicy):
         return np.stack([self.solve(int(k[i]), s[:, i]) for i in range(len(k))], axis=1), None
 
     def solve(self, k: int, s: np.ndarray) -> np.ndarray:
-        """Voltages (2,) at the filter's state s (N_STATES,) in the control period k."""
+        """Voltages (2,) in V for the filter's state s (N_STATES,) in the control period k."""
         osqp, rig = import_osqp(), self.filter.rig
         nodes = np.minimum(k + self.stride * np.arange(NODES), self.x.shape[1] - 1)
         x, v = self.x[:, nodes], self.v[:, nodes]
@@ -99,7 +98,7 @@ class LinearMpcPolicy(FilteredPolicy):
 
 
 def import_osqp() -> Any:
-    """OSQP, of the extra `ocp`. Raises ImportError without it."""
+    """Import OSQP, of the extra `ocp`. Raises ImportError without it."""
     try:
         import osqp
     except ImportError as error:
@@ -108,7 +107,7 @@ def import_osqp() -> Any:
 
 
 def linear_mpc(reference: Trajectory, control_period: float, rig: Rig) -> LinearMpcPolicy:
-    """Offset-free linear MPC, with the disturbances of `nmpc`. Raises ImportError without OSQP."""
+    """Offset-free linear MPC with the disturbance estimates of `nmpc`. Raises ImportError without OSQP."""
     import_osqp()
     x, u = control_grid(reference, control_period)
     return LinearMpcPolicy(

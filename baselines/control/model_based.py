@@ -1,7 +1,7 @@
-"""Regulators on a model that runs along: `lqi`, `lag-lqr`, `lag-lqi` and `kalman-lqr`.
+"""Regulators with an internal model: `lqi`, `lag-lqr`, `lag-lqi` and `kalman-lqr`.
 
-`ModelPolicy` puts three parts together: an `Observer` (or the measurement as it is), the predictor of `estimation`
-over the actuator's delay, and a `Regulator` on the predicted state.
+`ModelPolicy` combines an `Observer` (or the measurement itself), a predictor over the actuator's delay and a
+`Regulator` on the predicted state.
 """
 
 from dataclasses import dataclass, field
@@ -30,32 +30,32 @@ from heli_gym.rig import Rig, assumed_rig
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
-PREDICTIONS = 4  # Runge-Kutta steps over the delay, at most
+PREDICTIONS = 4  # greatest number of Runge-Kutta steps over the delay
 
 
 class Memory(NamedTuple):
     """State of a `ModelPolicy` between control periods."""
 
-    x: np.ndarray  # (6, ...) state, predicted; rad and rad/s
-    disturbance: np.ndarray  # (3, ...) estimated; rad/s²
-    rotors: np.ndarray  # (2, ...) simulated rotor speeds, as voltages; V
-    pending: tuple[np.ndarray, ...]  # (2, ...) each, commanded and not yet in effect; V
-    integral: np.ndarray  # (2, ...) of the errors of travel and elevation; rad s
-    start: Any  # control period of the reference in which the flight began; (N,) where it differs
+    x: np.ndarray  # (6, ...) predicted state in rad and rad/s
+    disturbance: np.ndarray  # (3, ...) estimated accelerations in rad/s²
+    rotors: np.ndarray  # (2, ...) simulated rotor speeds, as voltages in V
+    pending: tuple[np.ndarray, ...]  # (2, ...) each in V: commands still in the delay line, oldest first
+    integral: np.ndarray  # (2, ...) integrals of the travel and elevation errors in rad s
+    start: Any  # control period of the reference at the flight's start; (N,) if flights differ
 
 
 @dataclass(frozen=True, eq=False)
 class Regulator:
     """Feedforward and linear feedback on state, rotor speeds and integrals.
 
-    Arrays are on the control grid, K + 1 times: the reference's states x (6, K + 1) and voltages u (2, K + 1); command
-    (2, K + 1), the voltages that the actuator turns into these; gains (2, n, K + 1) of `regulator_gains`.
+    Arrays are on the control grid: the reference's states x (6, K + 1) and voltages u (2, K + 1), the command
+    (2, K + 1) in V for which the lagging rotors follow u, and the gains (2, n, K + 1) of `regulator_gains`.
 
     Args:
         lagging: whether the gains act on the rotor speeds too.
         integrating: whether the gains act on the integrals too.
-        accommodates: whether pitch and thrusts of the reference make up for the estimated disturbance.
-        pitch_limits: rad, of the accommodated reference.
+        accommodates: whether pitch and thrusts of the reference balance the estimated disturbance.
+        pitch_limits: (min, max) in rad of the accommodated reference.
     """
 
     x: np.ndarray
@@ -69,9 +69,9 @@ class Regulator:
     rig: Rig
 
     def __call__(self, k: Any, x: Any, rotors: Any, disturbance: Any, integral: Any, gain: Any = 1.0) -> np.ndarray:
-        """Voltages (2, ...) for the k-th control period, before the amplifier limits them.
+        """Voltages (2, ...) in V for the control period k, before the amplifier's saturation.
 
-        The gain is that of the thrust of both rotors on the rig's.
+        `gain` is the ratio of the rotors' actual thrust to the thrust of the rig's map.
         """
         rig = self.rig
         v, v_ref, v_command = (
@@ -95,9 +95,9 @@ class Regulator:
 
 @dataclass(eq=False)
 class ModelPolicy(StatefulPolicy):
-    """Fig. 3 with a model that runs along: of the actuator and, where there is an observer, of disturbances.
+    """Two-degrees-of-freedom scheme of Fig. 3 with an internal model of the actuator and, optionally, disturbances.
 
-    The feedback acts on the state that is predicted for the time when the voltages take effect.
+    The feedback acts on the predicted state at the time when the voltages take effect.
     """
 
     regulator: Regulator
@@ -109,21 +109,21 @@ class ModelPolicy(StatefulPolicy):
 
     @property
     def rig(self) -> Rig:
-        """Rig that the policy assumes, which `fly` checks."""
+        """Rig that the policy assumes; `fly` checks it."""
         return self.regulator.rig
 
     @property
     def x(self) -> np.ndarray:
-        """States (6, K + 1) of the reference on the control grid."""
+        """Reference states (6, K + 1) on the control grid."""
         return self.regulator.x
 
     @property
     def reference_states(self) -> np.ndarray:
-        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        """Reference states (6, K + 1) on the control grid; `fly` checks them."""
         return self.x
 
     def init(self, t: float | np.ndarray, measurement: np.ndarray) -> Memory:
-        """State of the reference, with which a filter begins, and rotors at the reference's voltages."""
+        """Memory at the reference's state, with the rotors at the reference's voltages."""
         batch, now = measurement.shape[1:], self.index(t)
         x, u = (
             expand_batch_dims(start[:, now], measurement) + np.zeros(batch)
@@ -137,7 +137,7 @@ class ModelPolicy(StatefulPolicy):
         if self.observer is not None:
             x, disturbance = self.observer(memory.x, disturbance, measurement, now, memory.start)
         later, rotors = x, memory.rotors
-        for u, periods in stretches(memory.pending):
+        for u, periods in group_pending(memory.pending):
             later, rotors = self.predict(later, rotors, u, disturbance, periods)
         arrival = np.minimum(now + self.actuator.delay, self.x.shape[1] - 1)
         u = self.regulator(arrival, later, rotors, disturbance, memory.integral)
@@ -145,15 +145,15 @@ class ModelPolicy(StatefulPolicy):
         applied = np.clip(u, *self.voltage_limits)
         pending = (*memory.pending, applied)
         error = (x - expand_batch_dims(self.x[:, now], x))[[0, 2]]
-        # Anti-windup: nothing is integrated while the amplifier saturates.
+        # Anti-windup: stop the integrals while the amplifier saturates.
         integral = memory.integral + self.control_period * error * (u == applied).all(axis=0)
         x, rotors = self.predict(x, memory.rotors, pending[0], disturbance)
         return u, Memory(x, disturbance, rotors, pending[1:], integral, memory.start)
 
     def with_applied_input(self, memory: Memory, u: np.ndarray) -> Memory:
-        """Memory with the voltages (2, ...) of the last step replaced by those that were commanded instead.
+        """Memory after a step in which the voltages u (2, ...) in V were applied instead of the policy's own.
 
-        Raises ValueError if the last voltages have already been simulated, for lack of a delay.
+        Raises ValueError without a delay, where the policy's own voltages are already simulated.
         """
         if not memory.pending:
             if self.actuator.lag or self.observer is not None:
@@ -162,19 +162,19 @@ class ModelPolicy(StatefulPolicy):
         return memory._replace(pending=(*memory.pending[:-1], np.clip(u, *self.voltage_limits)))
 
     def predict(self, x: Any, rotors: Any, u: Any, disturbance: Any, periods: int = 1) -> tuple[np.ndarray, np.ndarray]:
-        """State (6, ...) and rotor speeds (2, ...) so many control periods later."""
+        """State (6, ...) and rotor speeds (2, ...) after a number of control periods at the voltages u (2, ...)."""
         lag, rig = self.actuator.lag, self.regulator.rig
         return predict(x, rotors, u, disturbance, periods * self.control_period, lag, rig)
 
     def index(self, t: Any) -> Any:
-        """Control period of the time t in s."""
+        """Index of the control period at the time t in s."""
         return step_index(t, self.control_period, self.x.shape[1] - 1)
 
 
-def stretches(pending: tuple[np.ndarray, ...]) -> list[tuple[np.ndarray, int]]:
-    """Voltages that are under way as at most PREDICTIONS stretches, and for how many control periods each lasts.
+def group_pending(pending: tuple[np.ndarray, ...]) -> list[tuple[np.ndarray, int]]:
+    """Pending voltages as at most PREDICTIONS pairs of a voltage (2, ...) and a number of control periods.
 
-    A stretch of several periods has their mean voltage, for which one Runge-Kutta step is exact enough.
+    A pair for several periods holds their mean voltage; one Runge-Kutta step is accurate enough for it.
     """
     size = -(-len(pending) // PREDICTIONS)
     if size <= 1:
@@ -190,9 +190,9 @@ def model_policy(
     weights: Weights,
     actuator: Actuator | None,
 ) -> ModelPolicy:
-    """The feedforward and a regulator with these weights for a helicopter with this actuator.
+    """Policy of feedforward and regulator for weights and an actuator, the rig's nominal one by default.
 
-    `IntegralWeights` give integral action, `ObserverWeights` a Kalman filter.
+    `IntegralWeights` add integral action, `ObserverWeights` a Kalman filter.
     """
     rig = assumed_rig(reference, rig)
     actuator = actuator or nominal_actuator(rig, control_period)
@@ -208,10 +208,10 @@ def model_policy(
 
 
 def make_regulator(reference: Trajectory, control_period: float, rig: Rig, weights: Weights, lag: float) -> Regulator:
-    """Feedforward and gains on the control grid for rotors with this lag in s.
+    """Regulator with feedforward and gains on the control grid for rotors with a lag in s.
 
-    Against the lag, the feedforward leads: a rotor turns at u(t) if its voltage is u + lag du/dt. With
-    `ObserverWeights`, the reference makes up for disturbances.
+    The feedforward leads the lag: a rotor turns at u(t) if its voltage is u + lag du/dt. With `ObserverWeights`, the
+    reference balances the estimated disturbances.
     """
     x, middle = control_grid(reference, control_period)
     times = control_period * np.arange(x.shape[1] + 1)
@@ -233,7 +233,7 @@ def make_regulator(reference: Trajectory, control_period: float, rig: Rig, weigh
 
 
 def lqi(reference: Trajectory, control_period: float, rig: Rig, weights: IntegralWeights = LQI) -> ModelPolicy:
-    """Feedforward and time-varying regulator with integral action on travel and elevation; it assumes no lag."""
+    """Feedforward and time-varying regulator with integral action on travel and elevation, without a lag model."""
     return model_policy(reference, control_period, rig, weights, IDEAL)
 
 
@@ -266,8 +266,8 @@ def kalman_lqr(
     weights: ObserverWeights = KALMAN_LQR,
     actuator: Actuator | None = None,
 ) -> ModelPolicy:
-    """The regulator of `lag_lqr` on the estimates of a Kalman filter that uses the three angles alone.
+    """Regulator of `lag_lqr` on the estimates of a Kalman filter from the three angles alone.
 
-    The filter also estimates the accelerations that (3) does not explain, and the reference makes up for them.
+    The filter also estimates disturbance accelerations beyond (3), and the reference balances them.
     """
     return model_policy(reference, control_period, rig, weights, actuator)

@@ -1,9 +1,9 @@
-"""Nonlinear model predictive control in real-time iterations, for one helicopter or many, compiled.
+"""Nonlinear model predictive control by real-time iterations, compiled, for one helicopter or many.
 
-Every control period does one iteration of differential dynamic programming with box constraints on the voltages (Tassa,
-Mansard and Todorov, "Control-limited differential dynamic programming", ICRA 2014), with Gauss-Newton Hessians, started
+Each control period runs one iteration of differential dynamic programming with box constraints on the voltages (Tassa,
+Mansard and Todorov, "Control-limited differential dynamic programming", ICRA 2014) and Gauss-Newton Hessians. It starts
 from the plan of the last period (Diehl, Bock and Schlöder, "A real-time iteration scheme for nonlinear optimization in
-optimal feedback control", SIAM J. Control Optim. 43(5), 2005). The prediction is `adaptive_filter.advance`.
+optimal feedback control", SIAM J. Control Optim. 43(5), 2005). The prediction model is `adaptive_filter.advance`.
 """
 
 from functools import cache
@@ -25,34 +25,34 @@ from heli_gym.compilation import Compiler
 from heli_gym.model import fan_thrusts
 
 N_INPUTS = 2
-N_COST = N_FLIGHT + N_INPUTS  # terms of the cost of a stage, of the states and of the voltages
+N_COST = N_FLIGHT + N_INPUTS  # cost terms of a stage: states, then voltages
 PITCH = 4
-STEP = 1e-6  # of the differences
+STEP = 1e-6  # finite-difference step
 
 
 class MpcSettings(NamedTuple):
-    """Horizon, and weights of the squared deviations of a stage; a degree of tracking error costs 1."""
+    """Horizon and weights of the squared deviations in a stage; one degree of tracking error costs 1."""
 
     nodes: int = 40
-    step: float = 0.06  # s, from node to node
-    travel: float = 3283.0  # 1/rad², one per degree²
+    step: float = 0.06  # s, between nodes
+    travel: float = 3283.0  # 1/rad², 1 per degree²
     elevation: float = 3283.0
     travel_rate: float = 0.0  # per (rad/s)²
     elevation_rate: float = 0.0
     pitch: float = 0.0
     pitch_rate: float = 0.3
-    effort: float = 0.03  # per V², of the deviation from the voltages that hold the reference
-    outside: float = 0.2  # per V², of the excess over the planned limits (9)
-    pitch_barrier: float = 50.0  # 1/rad², of the pitch beyond its planned limits less a margin
+    effort: float = 0.03  # per V², deviation from the voltages that fly the reference
+    outside: float = 0.2  # per V², excess over the planned limits (9)
+    pitch_barrier: float = 50.0  # 1/rad², pitch beyond its planned limits minus a margin
     pitch_margin: float = 0.05  # rad
-    terminal: float = 5.0  # weight of the last node in stages, and its weights on rates and pitch:
-    terminal_rate: float = 3283.0  # per (rad/s)², of travel and elevation
+    terminal: float = 5.0  # weight of travel and elevation at the last node, in stages
+    terminal_rate: float = 3283.0  # per (rad/s)², travel and elevation at the last node
     terminal_pitch: float = 30.0
     terminal_pitch_rate: float = 3.0
 
 
 class Bounds(NamedTuple):
-    """Hard limits of the voltages, and soft limits of voltages and pitch."""
+    """Hard limits of the voltages in V (low, high); soft limits of voltages in V and pitch in rad (min, max)."""
 
     u_low: float
     u_high: float
@@ -63,12 +63,12 @@ class Bounds(NamedTuple):
 
 
 def excess(value: float, low: float, high: float) -> float:
-    """Signed distance of a value to [low, high], zero inside."""
+    """Signed distance of a value to [low, high]; zero inside."""
     return min(value - low, 0.0) + max(value - high, 0.0)
 
 
 def stage_cost(z: Any, u: Any, target: Any, c: MpcSettings, b: Bounds) -> float:
-    """Cost of a stage at states z (N_FLIGHT) and voltages u (2), given the target (N_COST)."""
+    """Cost of a stage at states z (N_FLIGHT,) and voltages u (2,), given the target (N_COST,)."""
     u_f, u_b = u[0], u[1]
     over = excess(z[4], b.pitch_min + c.pitch_margin, b.pitch_max - c.pitch_margin)
     out_f, out_b = excess(u_f, b.u_min, b.u_max), excess(u_b, b.u_min, b.u_max)
@@ -98,7 +98,7 @@ def terminal_weights(c: MpcSettings) -> tuple:
 
 
 def terminal_cost(z: Any, target: Any, c: MpcSettings) -> float:
-    """Cost of the last node."""
+    """Cost of the last node at states z (N_FLIGHT,), given the target (N_COST,)."""
     w = terminal_weights(c)
     total = 0.0
     for i in range(6):
@@ -107,36 +107,36 @@ def terminal_cost(z: Any, target: Any, c: MpcSettings) -> float:
 
 
 def step_model(z: Any, u: Any, out: Any, h: float, model: Model) -> None:
-    """Write the states h seconds after z (N_FLIGHT) at the voltages u (2) into out."""
+    """Write the states h seconds after z (N_FLIGHT,) at the voltages u (2,) into out."""
     after = advance((z[0], z[1], z[2], z[3], z[4], z[5]), (z[6], z[7]), (u[0], u[1]), h, model)
     for i in range(N_FLIGHT):
         out[i] = after[i]
 
 
-def differentiate(z: Any, u: Any, A: Any, B: Any, moved: Any, after: Any, h: float, model: Model) -> None:
-    """Write the Jacobians of `step_model` at z, u into A (N_FLIGHT, N_FLIGHT) and B (N_FLIGHT, 2)."""
+def differentiate(z: Any, u: Any, A: Any, B: Any, shifted: Any, after: Any, h: float, model: Model) -> None:
+    """Write the Jacobians of `step_model` at z, u into A (N_FLIGHT, N_FLIGHT), B (N_FLIGHT, 2); the rest is scratch."""
     step_model(z, u, after, h, model)
     for j in range(N_FLIGHT):
-        kept = z[j]
-        z[j] = kept + STEP
-        step_model(z, u, moved, h, model)
-        z[j] = kept
+        value = z[j]
+        z[j] = value + STEP
+        step_model(z, u, shifted, h, model)
+        z[j] = value
         for i in range(N_FLIGHT):
-            A[i, j] = (moved[i] - after[i]) / STEP
+            A[i, j] = (shifted[i] - after[i]) / STEP
     for j in range(N_INPUTS):
-        kept = u[j]
-        u[j] = kept + STEP
-        step_model(z, u, moved, h, model)
-        u[j] = kept
+        value = u[j]
+        u[j] = value + STEP
+        step_model(z, u, shifted, h, model)
+        u[j] = value
         for i in range(N_FLIGHT):
-            B[i, j] = (moved[i] - after[i]) / STEP
+            B[i, j] = (shifted[i] - after[i]) / STEP
 
 
 def box_minimum(H: tuple, g: tuple, low: tuple, high: tuple) -> tuple:
-    """Minimum (d1, d2) of g d + d H d / 2 with low <= d <= high, and which of the two are free.
+    """Minimiser d1, d2 of g d + d H d / 2 with low <= d <= high, and for each whether it is free (off its bounds).
 
-    H is (h11, h12, h22), positive definite. Of the nine combinations of free and clamped, the one whose minimum is
-    feasible and whose gradient points outwards is the answer; the corners come last.
+    H is (h11, h12, h22), positive definite. If the unconstrained minimiser is infeasible, the solution is the best of
+    the minimisers on the four edges.
     """
     h11, h12, h22 = H
     determinant = h11 * h22 - h12 * h12
@@ -185,7 +185,7 @@ def backward_pass(
 ) -> None:
     """Write feedforward k_ff (nodes, 2) and gains K (nodes, 2, N_FLIGHT) of an iteration along Z, U.
 
-    A, B, V, VA, VB, Qzz, v and Qz are scratch.
+    Z is (nodes + 1, N_FLIGHT), U (nodes, 2) in V; A, B, V, VA, VB, Qzz, v and Qz are scratch.
     """
     n = c.nodes
     w = terminal_weights(c)
@@ -257,7 +257,7 @@ def backward_pass(
             else:
                 K[k, 0, j] = -q1 / h11 if free_1 else 0.0
                 K[k, 1, j] = -q2 / h22 if free_2 else 0.0
-            VB[j, 0], VB[j, 1] = q1, q2  # Quz, from here on
+            VB[j, 0], VB[j, 1] = q1, q2  # VB holds Quz from here on
         for i in range(N_FLIGHT):
             a1, a2 = K[k, 0, i], K[k, 1, i]
             b1, b2 = h11 * a1 + h12 * a2, h12 * a1 + h22 * a2
@@ -293,7 +293,7 @@ def forward_pass(
     h: float,
     model: Model,
 ) -> float:
-    """Roll out U + share k_ff + K (z - Z) from Z_new[0] into Z_new, U_new, within the box; return the cost."""
+    """Roll out U + share k_ff + K (z - Z), clipped to the box, from Z_new[0] into Z_new, U_new; return the cost."""
     total = 0.0
     for k in range(c.nodes):
         for i in range(N_INPUTS):
@@ -318,9 +318,9 @@ def write_targets(
     p: Any,
     model: Model,
 ) -> None:
-    """Write what the nodes should come close to (nodes + 1, N_COST), from the grid index `first` on.
+    """Write the targets (nodes + 1, N_COST) of the nodes, from the grid index `first` on.
 
-    Travel and elevation are the reference's; pitch and voltages are those that fly it on the model.
+    Travel, elevation and rates are the reference's; pitch and voltages fly the reference on the estimated model.
     """
     last = x_ref.shape[1] - 1
     for k in range(c.nodes + 1):
@@ -356,8 +356,8 @@ def mpc_step(
 ) -> None:
     """Iterate the plans of N helicopters in place, from the filter's states s (N_STATES, N) at grid indices first (N,).
 
-    u_plan (nodes, 2, N), z_plan (nodes + 1, N_FLIGHT, N) and gains (nodes, 2, N_FLIGHT, N) are those of the last
-    period, `shift` of a node ago.
+    u_plan (nodes, 2, N) in V, z_plan (nodes + 1, N_FLIGHT, N) and gains (nodes, 2, N_FLIGHT, N) hold the plan of the
+    last period; `shift` is the time since then as a share of a node.
     """
     n = c.nodes
     Z, Z_new, Z_best = np.empty((n + 1, N_FLIGHT)), np.empty((n + 1, N_FLIGHT)), np.empty((n + 1, N_FLIGHT))
@@ -421,6 +421,6 @@ def mpc_step(
 
 @cache
 def compiled_mpc_step() -> Any:
-    """`mpc_step`, compiled at its first use."""
+    """Compile `mpc_step` at its first use."""
     loops = (step_model, differentiate, backward_pass, forward_pass, write_targets)
     return Compiler(loops=loops).entry(mpc_step)

@@ -1,7 +1,7 @@
-"""The registry: every controller by its name.
+"""Registry of all controllers by name.
 
-To add a controller, write `my_controller(reference, control_period, rig) -> Policy` in a file of this folder,
-and add one line to `POLICIES`; `heli-evaluate` and the tests of all policies then know it.
+To add a controller, write `my_controller(reference, control_period, rig) -> Policy` in a file of this folder and add
+one line to `POLICIES`; `heli-evaluate` and the tests of all policies then include it.
 """
 
 from collections.abc import Callable
@@ -26,12 +26,12 @@ from heli_gym.rig import Rig, assumed_rig
 from heli_gym.trajectory import Trajectory
 
 
-def stored(path: Any, reference: Trajectory, control_period: float, rig: Rig) -> Policy:
-    """The learned policy at a path without suffix; its base policy comes from this registry."""
+def load_policy(path: Any, reference: Trajectory, control_period: float, rig: Rig) -> Policy:
+    """Load the learned policy at a path without suffix; its base policy comes from this registry."""
     return learned_policy(path, reference, control_period, rig, make_base=make_policy)
 
 
-SAFE = "+safe"  # ends the name of a policy behind a `SafetyFilter`
+SAFE = "+safe"  # suffix of the name of a policy behind a `SafetyFilter`
 POLICIES: dict[str, Callable[..., Policy]] = {
     "open-loop": open_loop,
     "feedforward+tvlqr": feedforward_tvlqr,
@@ -47,8 +47,8 @@ POLICIES: dict[str, Callable[..., Policy]] = {
     "gain-scheduled": gain_scheduled,
     "flatness": flatness,
     "pd-cascade": pd_cascade,
-    "residual": partial(stored, LEARNED / "lab"),
-    "residual-rigid": partial(stored, LEARNED / "rigid"),
+    "residual": partial(load_policy, LEARNED / "lab"),
+    "residual-rigid": partial(load_policy, LEARNED / "rigid"),
     "hover-lqr": hover_lqr,
     "middle-voltage": middle_voltage,
     "zero": zero,
@@ -56,7 +56,7 @@ POLICIES: dict[str, Callable[..., Policy]] = {
 
 
 def is_learned(name: str) -> bool:
-    """Whether the policy of this name was learned, and so flies at the control period of its training only."""
+    """Whether the named policy was learned; it then requires the control period of its training."""
     return name.startswith("residual") or name.removesuffix(SAFE).endswith(".json")
 
 
@@ -69,22 +69,22 @@ def make_policy(
     voltage_limits: tuple[float, float] | None = None,
     rig: str | Rig | None = None,
 ) -> Policy:
-    """Make a policy by its name.
+    """Make the policy of a name for a reference.
 
     Args:
-        name: of `POLICIES`; "lqi@lab", say, has the weights that `heli-tune --store` stored for the plant lab. A name
-            that ends in .json is the path of a learned policy; see the module `residual`. With "+safe" at its end, the
-            policy flies behind a `safety.SafetyFilter`.
+        name: one of `POLICIES`. A suffix "@PLANT" selects the weights that `heli-tune --store` stored for the plant,
+            as in "lqi@lab". A name ending in ".json" is the path of a learned policy (module `residual`). The suffix
+            "+safe" puts the policy behind a `safety.SafetyFilter`.
         reference: trajectory to track.
         control_period: s.
-        parameters: coefficients of (2) and (3) that the policy assumes, in place of a rig.
-        weights: in place of those in `WEIGHTS`, of the same type.
-        voltage_limits: V, of the amplifier that the policy assumes; the rig's by default.
-        rig: that the policy assumes, the reference's by default.
+        parameters: coefficients of (2) and (3) that the policy assumes, instead of a rig.
+        weights: design weights in place of those in `WEIGHTS`, of the same type.
+        voltage_limits: (min, max) in V of the assumed amplifier; the rig's by default.
+        rig: rig that the policy assumes; the reference's by default.
 
     Raises:
-        ValueError: for an unknown name, weights that the policy does not have, weights or a network for another rig,
-            or a control period or voltage limits that are not finite and positive, or increasing.
+        ValueError: for an unknown name; weights of another type; weights or a network for another rig; a control period
+            that is not finite and positive; voltage limits that are not finite and increasing.
     """
     if not (is_finite(control_period) and control_period > 0.0):
         raise ValueError(f"control_period = {control_period!r}: must be a positive, finite number of seconds")
@@ -98,7 +98,7 @@ def make_policy(
         base = make_policy(str(name).removesuffix(SAFE), reference, control_period, None, weights, limits, rig)
         policy: Policy = safety_filter(base, reference, control_period, rig)
     elif str(name).endswith(".json") and weights is None:
-        policy = stored(name, reference, control_period, rig)
+        policy = load_policy(name, reference, control_period, rig)
     else:
         kind, _, plant = str(name).partition("@")
         if kind not in POLICIES or (plant and kind not in WEIGHTS):

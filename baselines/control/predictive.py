@@ -1,9 +1,9 @@
 """Controllers on the adaptive filter: `adaptive-mpc`, `nmpc` and `adaptive-lqr`.
 
-`adaptive-mpc` is the filter of `adaptive_filter` and the predictive controller of `nmpc` on the model that the filter
-estimates. `nmpc` is the same on the model of the priors' means; it estimates disturbances alone. `adaptive-lqr` has the
-regulator of `kalman-lqr` on the adaptive filter. All know the nominal parameters, the delay and the documented ranges
-of the plant `lab`, never a draw.
+`adaptive-mpc` runs the predictive controller of the module `nmpc` on the model that the filter of `adaptive_filter`
+estimates. The policy `nmpc` holds the parameters at their prior means and estimates disturbances alone. `adaptive-lqr`
+runs the regulator of `kalman-lqr` on the adaptive filter. All three know the nominal parameters, the delay and the
+documented ranges of the plant `lab`, never a draw.
 """
 
 from dataclasses import dataclass, field, replace
@@ -32,17 +32,17 @@ from heli_gym.rig import Rig
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
-FIRST_ITERATIONS = 4  # at the start of a flight, from the reference as the plan
+FIRST_ITERATIONS = 4  # iterations at the start of a flight, where the plan is the reference
 
 
-# Of `nmpc`: disturbances have to follow all that is not estimated; of four settings on 24 training draws, the best.
+# For `nmpc`, disturbances also absorb the parameter errors: the best of four settings on 24 training draws.
 UNADAPTED = FilterNoise(travel_disturbance=0.1, elevation_disturbance=0.05, pitch_disturbance=0.3, adaptive=False)
 
 
 class Plan(NamedTuple):
-    """Plan of `nmpc.mpc_step`, for N helicopters."""
+    """Plan of `nmpc.mpc_step` for N helicopters."""
 
-    u: np.ndarray  # (nodes, 2, N) V
+    u: np.ndarray  # (nodes, 2, N) in V
     z: np.ndarray  # (nodes + 1, N_FLIGHT, N)
     gains: np.ndarray  # (nodes, 2, N_FLIGHT, N)
 
@@ -50,13 +50,13 @@ class Plan(NamedTuple):
 class Memory(NamedTuple):
     """State of a policy on the adaptive filter between control periods."""
 
-    estimate: Estimate  # predicted for the next measurement
-    pending: tuple[np.ndarray, ...]  # (2, N) each, commanded and not yet in effect; V
+    estimate: Estimate  # prediction for the next measurement
+    pending: tuple[np.ndarray, ...]  # (2, N) each in V: commands still in the delay line, oldest first
     plan: Plan | None
 
     @property
     def disturbance(self) -> np.ndarray:
-        """Estimated accelerations (3, N) in rad/s² that the model does not explain."""
+        """Estimated disturbance accelerations (3, N) in rad/s²."""
         return self.estimate.s[DISTURBANCE:]
 
     @property
@@ -67,7 +67,7 @@ class Memory(NamedTuple):
 
 @dataclass(eq=False)
 class FilteredPolicy(StatefulPolicy):
-    """A control law on the adaptive filter's estimate, predicted for the time when the voltages take effect.
+    """Base of control laws on the adaptive filter's estimate, predicted to the time when the voltages take effect.
 
     x (6, K + 1) and u (2, K + 1) are the reference on the control grid. A subclass defines `control`.
     """
@@ -81,16 +81,16 @@ class FilteredPolicy(StatefulPolicy):
     memory: Memory | None = field(default=None, init=False, repr=False)
 
     def control(self, plan: Plan | None, k: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, Plan | None]:
-        """Voltages (2, N) at the filter's states s (N_STATES, N) in control periods k (N,), and the next plan."""
+        """Voltages (2, N) in V for filter states s (N_STATES, N) in control periods k (N,), and the next plan."""
         raise NotImplementedError
 
     @property
     def reference_states(self) -> np.ndarray:
-        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        """Reference states (6, K + 1) on the control grid; `fly` checks them."""
         return self.x
 
     def init(self, t: float | np.ndarray, measurement: np.ndarray) -> Memory:
-        """Prior about the reference, rotors at its voltages, no plan."""
+        """Memory with the prior estimate at the reference, rotors at its voltages and no plan."""
         if self.filter.voltage_limits != self.voltage_limits:
             self.filter = replace(self.filter, voltage_limits=self.voltage_limits)
         now = np.broadcast_to(self.index(t), (measurement[0].size,))
@@ -112,9 +112,9 @@ class FilteredPolicy(StatefulPolicy):
         return u.reshape(2, *measurement.shape[1:]).copy(), Memory(estimate, pending, plan)
 
     def with_applied_input(self, memory: Memory, u: np.ndarray) -> Memory:
-        """Memory with the voltages (2, ...) of the last step replaced by those that were commanded instead.
+        """Memory after a step in which the voltages u (2, ...) in V were applied instead of the policy's own.
 
-        Raises ValueError if the last voltages have already been simulated, for lack of a delay.
+        Raises ValueError without a delay, where the policy's own voltages are already simulated.
         """
         if not self.delay:
             raise ValueError("with_applied_input: without a delay, the last voltages have already been simulated")
@@ -122,13 +122,13 @@ class FilteredPolicy(StatefulPolicy):
         return memory._replace(pending=(*memory.pending[:-1], applied))
 
     def index(self, t: Any) -> Any:
-        """Control period of the time t in s."""
+        """Index of the control period at the time t in s."""
         return step_index(t, self.control_period, self.x.shape[1] - 1)
 
 
 @dataclass(eq=False)
 class PredictivePolicy(FilteredPolicy):
-    """Nonlinear MPC; soft limits of pitch and voltages are those that the reference was planned within."""
+    """Nonlinear MPC with the reference's planning limits as soft limits of pitch and voltages."""
 
     limits: Limits = field(default_factory=Limits)
     settings: MpcSettings = field(default_factory=MpcSettings)
@@ -163,7 +163,7 @@ class PredictivePolicy(FilteredPolicy):
         return plan.u[0], plan
 
     def first_plan(self, k: np.ndarray) -> Plan:
-        """The reference as a plan, without feedback, from control periods k (N,) on."""
+        """Plan along the reference from control periods k (N,) on, without feedback."""
         nodes = np.minimum(k + self.stride * np.arange(self.settings.nodes + 1)[:, None], self.x.shape[1] - 1)
         z = np.concatenate((self.x[:, nodes], self.u[:, nodes])).transpose(1, 0, 2)
         u = np.clip(self.u[:, nodes[:-1]].transpose(1, 0, 2), *self.voltage_limits)
@@ -172,7 +172,7 @@ class PredictivePolicy(FilteredPolicy):
 
 @dataclass(eq=False)
 class AdaptiveRegulator(FilteredPolicy):
-    """The regulator of `kalman-lqr`, its reference and its fans those of the estimated model."""
+    """Regulator of `kalman-lqr` with reference and thrust gain of the estimated model."""
 
     regulator: Regulator | None = None
 
@@ -192,7 +192,7 @@ def predictive_policy(
     noise: FilterNoise = FilterNoise(),
     settings: MpcSettings = MpcSettings(),
 ) -> PredictivePolicy:
-    """MPC on a filter with this tuning."""
+    """Nonlinear MPC on an adaptive filter with given noise and MPC settings."""
     x, u = control_grid(reference, control_period)
     return PredictivePolicy(
         x=x,
@@ -207,19 +207,19 @@ def predictive_policy(
 
 
 def adaptive_mpc(reference: Trajectory, control_period: float, rig: Rig) -> PredictivePolicy:
-    """MPC on the model that the filter estimates."""
+    """Nonlinear MPC on the model that the adaptive filter estimates."""
     return predictive_policy(reference, control_period, rig)
 
 
 def nmpc(reference: Trajectory, control_period: float, rig: Rig) -> PredictivePolicy:
-    """MPC on the nominal model with estimated disturbances."""
+    """Nonlinear MPC on the nominal model with estimated disturbances."""
     return predictive_policy(reference, control_period, rig, UNADAPTED)
 
 
 def adaptive_lqr(
     reference: Trajectory, control_period: float, rig: Rig, weights: ObserverWeights = KALMAN_LQR
 ) -> AdaptiveRegulator:
-    """The regulator of `kalman-lqr` on the adaptive filter."""
+    """Regulator of `kalman-lqr` on the adaptive filter."""
     actuator = nominal_actuator(rig, control_period)
     regulator = make_regulator(reference, control_period, rig, weights, actuator.lag)
     return AdaptiveRegulator(

@@ -1,6 +1,6 @@
-"""The protocol of every controller, policy(t, measurement) -> voltages, and the array helpers that controllers share.
+"""Protocol of all controllers, policy(t, measurement) -> voltages, and their shared array helpers.
 
-Policies broadcast: they fly one helicopter or N of them, at one time or at N times.
+Policies broadcast: they fly one helicopter or N helicopters, at one time or at N times.
 """
 
 import math
@@ -12,17 +12,17 @@ import numpy as np
 
 
 class Policy(Protocol):
-    """Controller. `reset` clears what it remembers of a flight."""
+    """Controller; `reset` clears its memory of a flight."""
 
     def reset(self, rng: np.random.Generator) -> None:
-        """Prepare for a new flight; random numbers of the policy come from rng."""
+        """Prepare for a new flight; the policy draws random numbers from rng."""
 
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
-        """Voltages (2, ...) in V to hold from the time t in s on, given measured states (6, ...) in rad and rad/s."""
+        """Voltages (2, ...) in V from the time t in s on, given measured states (6, ...) in rad and rad/s."""
 
 
 class MemorylessPolicy:
-    """Base of policies whose voltages depend on the time and the measurement alone."""
+    """Base of policies whose voltages depend only on the time and the measurement."""
 
     def reset(self, rng: np.random.Generator) -> None:
         """Do nothing: there is no memory to clear."""
@@ -30,16 +30,16 @@ class MemorylessPolicy:
 
 @dataclass(eq=False)
 class StatefulPolicy:
-    """Base of policies with a memory, which is an explicit value: `step` maps a memory to the next one.
+    """Base of policies with an explicit memory value: `step` maps a memory to the next one.
 
-    A subclass defines `init` and `step`, both without side effects. `policy(t, measurement)` keeps the memory of one
-    flight (or of one batch of flights); who flies several sets of helicopters with one policy calls `step` directly.
+    A subclass defines `init` and `step`, both without side effects. `policy(t, measurement)` stores the memory of one
+    flight or one batch of flights; a caller with several batches calls `step` directly.
     """
 
     memory: Any = field(default=None, init=False, repr=False)
 
     def init(self, t: float | np.ndarray, measurement: np.ndarray) -> Any:
-        """Memory before the first step of a flight that starts at the time t in s with this measurement (6, ...)."""
+        """Memory before the first step of a flight, given its start time t in s and first measurement (6, ...)."""
         raise NotImplementedError
 
     def step(self, memory: Any, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, Any]:
@@ -47,7 +47,7 @@ class StatefulPolicy:
         raise NotImplementedError
 
     def reset(self, rng: np.random.Generator) -> None:
-        """Forget the last flight."""
+        """Clear the memory of the last flight."""
         self.memory = None
 
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
@@ -58,7 +58,7 @@ class StatefulPolicy:
 
 
 def is_finite(value: Any) -> bool:
-    """Whether the value is a real number that a float can hold."""
+    """Whether the value is a finite real number within the range of a float."""
     try:
         return isinstance(value, Real) and not isinstance(value, bool) and math.isfinite(value)
     except OverflowError:
@@ -66,24 +66,24 @@ def is_finite(value: Any) -> bool:
 
 
 def expand_batch_dims(column: np.ndarray, measurement: np.ndarray) -> np.ndarray:
-    """Reshape the column (n,), or columns (n, N), so that it broadcasts with a measurement (6, ...)."""
+    """Reshape a column (n,) to broadcast with a measurement (6, ...); columns (n, N) stay as they are."""
     return column if column.ndim > 1 else column.reshape(-1, *(1,) * (measurement.ndim - 1))
 
 
 def apply_gains(gains: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Multiply gains (m, n), or (m, n, N) of N times, by values (n, ...)."""
+    """Product (m, ...) of gains (m, n), or (m, n, N), and values (n, ...)."""
     return gains @ values if gains.ndim == 2 else np.einsum("ijk,jk->ik", gains, values)
 
 
 def step_index(t: Any, control_period: float, last: int) -> Any:
-    """Index of the control period, at most `last`, of the time t in s; (N,) for N times."""
+    """Index of the control period at the time t in s, at most `last`; (N,) for N times."""
     if np.ndim(t):
         return np.minimum(np.round(np.asarray(t) / control_period).astype(int), last)
     return min(round(t / control_period), last)
 
 
 def assign_columns(old: Any, new: Any, columns: np.ndarray) -> Any:
-    """Replace these columns of arrays (..., N), or of tuples of arrays, by arrays (..., n)."""
+    """Copy of arrays (..., N), or tuples of arrays, with the given columns replaced by arrays (..., n)."""
     if isinstance(old, tuple):
         parts = [assign_columns(a, b, columns) for a, b in zip(old, new)]
         return type(old)(*parts) if hasattr(old, "_fields") else tuple(parts)
@@ -95,7 +95,7 @@ def assign_columns(old: Any, new: Any, columns: np.ndarray) -> Any:
 
 
 def select_columns(values: Any, columns: np.ndarray) -> Any:
-    """Select these columns of arrays (..., N), or of tuples of arrays."""
+    """Given columns (..., n) of arrays (..., N), or of tuples of arrays."""
     if isinstance(values, tuple):
         parts = [select_columns(value, columns) for value in values]
         return type(values)(*parts) if hasattr(values, "_fields") else tuple(parts)

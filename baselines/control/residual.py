@@ -1,10 +1,10 @@
-"""A learned correction on top of a controller, with actions a in [-1, 1]² from a small network.
+"""Learned correction of a controller: a small network adds actions a in [-1, 1]² to a base policy.
 
-By the law "saturated", u = sat(sat(u_base) + scale a): the correction has authority where the base policy asks for
-tens of volts more than the amplifier has. By the law "sum", u = sat(u_base + scale a).
+The law "saturated" is u = sat(sat(u_base) + scale a): the correction has authority even where the base policy exceeds
+the amplifier's range by tens of volts. The law "sum" is u = sat(u_base + scale a).
 
-The network sees what the controller sees, and nothing of the plant's draw: see `FEATURE_GROUPS`. It is stored as
-safetensors and a JSON file with its settings and the SHA-256 of the weights, and flown by numpy.
+The network receives the controller's signals (`FEATURE_GROUPS`) and nothing of the plant's draw. A safetensors file
+stores its weights, a JSON file its settings and the SHA-256 of both; numpy evaluates it.
 """
 
 import json
@@ -26,10 +26,10 @@ from heli_gym.storage import atomic_write
 from heli_gym.task import TOLERANCE, control_grid
 from heli_gym.trajectory import Trajectory
 
-LEARNED = Path(__file__).parent / "learned"  # the policies that come with the package: of the first seed on each plant
+LEARNED = Path(__file__).parent / "learned"  # packaged policies: the first seed of each plant
 LAWS = ("sum", "saturated")
-AHEAD = (0.0, 0.2, 0.4, 0.8)  # s, at which the network sees the reference
-BEFORE = (0.1, 0.2, 0.4)  # s, at which it sees past errors and corrections
+AHEAD = (0.0, 0.2, 0.4, 0.8)  # s, previews of the reference
+BEFORE = (0.1, 0.2, 0.4)  # s, ages of past errors and corrections
 FEATURE_GROUPS = {
     "error": "of all six states, in tolerances",
     "integral": "of the errors of travel and elevation",
@@ -38,12 +38,12 @@ FEATURE_GROUPS = {
     "preview": "of the reference, now and ahead",
     "past": "errors of the angles, and corrections",
 }
-STATE_SCALE = np.array([math.pi, 1.0, 0.2, 0.5, 1.0, 2.0])  # rad and rad/s, of the reference
-DISTURBANCE_SCALE, INTEGRAL_SCALE, FEATURE_CLIP = 0.2, 0.1, 5.0  # rad/s², rad s, and what features are clipped to
+STATE_SCALE = np.array([math.pi, 1.0, 0.2, 0.5, 1.0, 2.0])  # rad and rad/s, scales of the previewed reference
+DISTURBANCE_SCALE, INTEGRAL_SCALE, FEATURE_CLIP = 0.2, 0.1, 5.0  # rad/s², rad s, bound of all features
 
 
-def normalised(u: Any, voltage_limits: tuple[float, float]) -> Any:
-    """The voltages u in V, the amplifier's range mapped to [-1, 1]."""
+def normalise_voltage(u: Any, voltage_limits: tuple[float, float]) -> Any:
+    """Map voltages u in V to [-1, 1] over the amplifier's range."""
     low, high = voltage_limits
     return (u - 0.5 * (low + high)) / (0.5 * (high - low))
 
@@ -51,26 +51,26 @@ def normalised(u: Any, voltage_limits: tuple[float, float]) -> Any:
 class Memory(NamedTuple):
     """State of a residual policy between control periods."""
 
-    base: Any  # memory of the base policy, where it is a `StatefulPolicy`
-    integral: np.ndarray  # (2, ...) rad s, of the errors of travel and elevation
-    past: np.ndarray  # (H, 5, ...) errors of the angles in tolerances, and corrections, the last first
-    hidden: np.ndarray | None = None  # (n, ...) of a recurrent network
+    base: Any  # memory of the base policy if it is a `StatefulPolicy`
+    integral: np.ndarray  # (2, ...) integrals of the travel and elevation errors in rad s
+    past: np.ndarray  # (H, 5, ...) angle errors in tolerances and corrections, newest first
+    hidden: np.ndarray | None = None  # (n, ...) hidden state of a recurrent network
 
 
 @dataclass(eq=False)
 class ResidualPolicy:
-    """A base policy and a correction. Without a network, or with scale 0, it flies the base policy bit for bit.
+    """Base policy with a learned correction; with scale 0 it flies the base policy bit for bit.
 
     Args:
-        base: policy that is corrected; a `ModelPolicy` is given the voltages that were applied after all.
-        reference: what both follow.
-        network: from features (F, ...) to actions (2, ...) in [-1, 1]; or a `RecurrentNetwork`.
-        scale: V, the greatest correction.
+        base: policy to correct; a `ModelPolicy` receives the voltages that were applied.
+        reference: trajectory to track.
+        network: function of features (F, ...) that returns actions (2, ...) in [-1, 1], or a `RecurrentNetwork`.
+        scale: greatest correction in V.
         control_period: s.
-        voltage_limits: V, the amplifier's.
-        feature_groups: which of `FEATURE_GROUPS` the network is shown.
+        voltage_limits: (min, max) in V of the amplifier.
+        feature_groups: names in `FEATURE_GROUPS` that the network receives.
         law: "saturated" or "sum".
-        ahead: s, times at which the network is shown the reference.
+        ahead: previews of the reference in s.
 
     Raises:
         ValueError: for a scale that is negative or not finite, or an unknown group or law.
@@ -103,13 +103,13 @@ class ResidualPolicy:
 
     @property
     def reference_states(self) -> np.ndarray:
-        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        """Reference states (6, K + 1) on the control grid; `fly` checks them."""
         return self.x
 
     def reset(self, rng: np.random.Generator) -> None:
-        """Forget the last flight."""
+        """Clear the memory of the last flight."""
         self.base.reset(rng)
-        self.memory = None  # with the memory of the base
+        self.memory = None  # includes the memory of the base policy
 
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
         measurement = np.asarray(measurement, dtype=float)
@@ -126,7 +126,7 @@ class ResidualPolicy:
         return self.correct(t, measurement, u_base, np.clip(action, -1.0, 1.0))
 
     def observe(self, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Voltages of the base policy (2, ...) in V, and the features (F, ...) for the network."""
+        """Voltages (2, ...) in V of the base policy, and features (F, ...) for the network."""
         k = step_index(t, self.control_period, self.x.shape[1] - 1)
         if self.memory is None:
             batch = measurement.shape[1:]
@@ -143,8 +143,10 @@ class ResidualPolicy:
             "error": [error / expand_batch_dims(np.array(TOLERANCE), measurement)],
             "integral": [self.memory.integral / INTEGRAL_SCALE],
             "voltages": [
-                normalised(u_base, self.voltage_limits),
-                normalised(expand_batch_dims(self.u[:, k], measurement) + np.zeros_like(u_base), self.voltage_limits),
+                normalise_voltage(u_base, self.voltage_limits),
+                normalise_voltage(
+                    expand_batch_dims(self.u[:, k], measurement) + np.zeros_like(u_base), self.voltage_limits
+                ),
                 past[0, 3:],
             ],
             "estimate": [],
@@ -154,7 +156,7 @@ class ResidualPolicy:
         if isinstance(self.base, ModelPolicy):
             groups["estimate"] = [
                 self.memory.base.disturbance / DISTURBANCE_SCALE,
-                normalised(self.memory.base.rotors, self.voltage_limits),
+                normalise_voltage(self.memory.base.rotors, self.voltage_limits),
             ]
         rows = [row for group in FEATURE_GROUPS if group in self.feature_groups for row in groups[group]]
         return u_base, np.clip(np.concatenate(rows), -FEATURE_CLIP, FEATURE_CLIP)
@@ -162,7 +164,10 @@ class ResidualPolicy:
     def correct(
         self, t: float | np.ndarray, measurement: np.ndarray, u_base: np.ndarray, action: np.ndarray
     ) -> np.ndarray:
-        """The voltages (2, ...) in V, after the base policy's and the action (2, ...); also remembers both."""
+        """Voltages (2, ...) in V of base policy and action (2, ...); stores both in the memory.
+
+        Raises ValueError before `observe`.
+        """
         if self.memory is None:
             raise ValueError("correct: comes after observe")
         k = step_index(t, self.control_period, self.x.shape[1] - 1)
@@ -186,21 +191,21 @@ class ResidualPolicy:
 
 @dataclass(frozen=True)
 class Learned:
-    """What a stored network needs to be flown."""
+    """Settings of a stored network."""
 
-    base: str  # the policy that it corrects
+    base: str  # name of the corrected policy
     scale: float  # V
     reference: str
-    plant: str  # that it was trained on
+    plant: str  # of its training
     control_period: float  # s
     features: int
     hidden: tuple[int, ...]
-    tanh_output: bool  # whether the actions are the tanh of the last layer
-    feature_groups: tuple[str, ...] = tuple(FEATURE_GROUPS)  # what of GROUPS it is shown
-    rig: str = ""  # TOML of the rig that it was trained on; empty for the paper's
-    law: str = "saturated"  # of `LAWS`
-    ahead: tuple[float, ...] = AHEAD  # s
-    recurrent: int = 0  # hidden states of a GRU cell before the layers; 0 for no such cell
+    tanh_output: bool  # whether tanh follows the last layer
+    feature_groups: tuple[str, ...] = tuple(FEATURE_GROUPS)  # inputs, of FEATURE_GROUPS
+    rig: str = ""  # TOML of the rig of its training; empty for the paper's
+    law: str = "saturated"  # one of `LAWS`
+    ahead: tuple[float, ...] = AHEAD  # s, previews of the reference
+    recurrent: int = 0  # hidden states of a GRU cell before the layers; 0 without a cell
 
 
 class Network(NamedTuple):
@@ -208,10 +213,10 @@ class Network(NamedTuple):
 
     weights: tuple[np.ndarray, ...]
     biases: tuple[np.ndarray, ...]
-    tanh_output: bool  # whether the tanh of the last layer is taken too
+    tanh_output: bool  # whether tanh follows the last layer
 
     def __call__(self, features: np.ndarray) -> np.ndarray:
-        """The actions (2, ...) for features (F, ...)."""
+        """Actions (2, ...) for features (F, ...)."""
         value = features
         for layer, (weight, bias) in enumerate(zip(self.weights, self.biases)):
             value = weight @ value + expand_batch_dims(bias, value)
@@ -221,7 +226,7 @@ class Network(NamedTuple):
 
 
 class RecurrentNetwork(NamedTuple):
-    """A GRU cell (Cho et al., 2014; its gates in torch's order: reset, update, new) before the layers of a network."""
+    """GRU cell (Cho et al., 2014; gates in torch's order: reset, update, new), followed by the layers of a network."""
 
     weight_input: np.ndarray  # (3 n, F)
     weight_hidden: np.ndarray  # (3 n, n)
@@ -231,11 +236,11 @@ class RecurrentNetwork(NamedTuple):
 
     @property
     def size(self) -> int:
-        """Hidden states n."""
+        """Number n of hidden states."""
         return self.weight_hidden.shape[1]
 
     def __call__(self, features: np.ndarray, hidden: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The actions (2, ...) for features (F, ...), and the next hidden state, after hidden (n, ...)."""
+        """Actions (2, ...) and next hidden state (n, ...) for features (F, ...) and a hidden state (n, ...)."""
         n = self.size
         x = self.weight_input @ features + expand_batch_dims(self.bias_input, features)
         h = self.weight_hidden @ hidden + expand_batch_dims(self.bias_hidden, features)
@@ -249,7 +254,7 @@ CELL = ("weight_input", "weight_hidden", "bias_input", "bias_hidden")
 
 
 def save_learned(path: str | os.PathLike, settings: Learned, network: Network | RecurrentNetwork) -> None:
-    """Writes path.safetensors and path.json, each atomically."""
+    """Write path.safetensors and path.json, each atomically."""
     from safetensors.numpy import save
 
     tensors: dict[str, np.ndarray] = {}
@@ -268,12 +273,12 @@ def save_learned(path: str | os.PathLike, settings: Learned, network: Network | 
 
 
 def settings_digest(settings: Learned) -> str:
-    """SHA-256 of all settings."""
+    """SHA-256 of all settings, in hexadecimal."""
     return sha256(json.dumps(asdict(settings), sort_keys=True).encode()).hexdigest()
 
 
 def check_settings(called: str, settings: Learned, path: Path) -> None:
-    """Raise ValueError unless all settings of a stored policy make sense."""
+    """Raise ValueError unless all settings of a stored policy have the right types and values."""
     s = settings
 
     def require(name: str, allowed: bool, what: str) -> None:
@@ -299,7 +304,7 @@ def check_settings(called: str, settings: Learned, path: Path) -> None:
 
 
 def check_tensors(called: str, settings: Learned, tensors: dict[str, np.ndarray]) -> None:
-    """Raise ValueError unless the tensors have the shapes that the settings say, and only finite numbers."""
+    """Raise ValueError unless the tensors are finite and their shapes agree with the settings."""
     n, inputs = settings.recurrent, settings.features
     shapes: dict[str, tuple[int, ...]] = {}
     if n:
@@ -318,7 +323,7 @@ def check_tensors(called: str, settings: Learned, tensors: dict[str, np.ndarray]
 
 
 def load_learned(path: str | os.PathLike) -> tuple[Learned, Network | RecurrentNetwork]:
-    """Reads what `save_learned` wrote; nothing is unpickled.
+    """Read the settings and the network that `save_learned` wrote, without unpickling.
 
     Raises ValueError if a file is missing or damaged, or if the two do not belong together.
     """
@@ -330,9 +335,9 @@ def load_learned(path: str | os.PathLike) -> tuple[Learned, Network | RecurrentN
         described = json.loads(path.with_suffix(".json").read_text())
         data = path.with_suffix(".safetensors").read_bytes()
         digest = described.pop("sha256")
-        whole = described.pop("settings_sha256", None)  # files without are older than it
+        whole = described.pop("settings_sha256", None)  # absent in older files
         lists = {name: tuple(value) for name, value in described.items() if isinstance(value, list)}
-        settings = Learned(**{"law": "sum", **described, **lists})  # files without a law are older than the second one
+        settings = Learned(**{"law": "sum", **described, **lists})  # older files have no law: it was "sum"
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise ValueError(f"{called}: no learned policy: {error}") from error
     if sha256(data).hexdigest() != digest:
@@ -342,7 +347,7 @@ def load_learned(path: str | os.PathLike) -> tuple[Learned, Network | RecurrentN
     check_settings(called, settings, path)
     try:
         tensors = load(data)
-    except Exception as error:  # safetensors raises its own
+    except Exception as error:  # safetensors raises its own exception types
         raise ValueError(f"{called}: the weights are no safetensors file: {error}") from error
     check_tensors(called, settings, tensors)
     layers = range(len(settings.hidden) + 1)
@@ -363,9 +368,9 @@ def learned_policy(
     rig: Rig,
     make_base: Callable[..., Policy],
 ) -> ResidualPolicy:
-    """The stored policy, for a reference; `make_base`, as `make_policy`, makes the policy that it corrects.
+    """Load a stored policy for a reference; `make_base`, called like `make_policy`, makes its base policy.
 
-    Raises ValueError for a rig or a control period that it was not trained for.
+    Raises ValueError for a rig or a control period other than those of its training.
     """
     settings, network = load_learned(path)
     own = Rig.from_toml(settings.rig) if settings.rig else PAPER

@@ -1,6 +1,6 @@
-"""Predictive safety filter around any policy: the least change of its voltages that keeps the pitch within limits.
+"""Predictive safety filter around any policy: minimal change of its voltages for a pitch within limits.
 
-A policy named "NAME+safe" is the policy NAME behind this filter.
+The policy "NAME+safe" is the policy NAME behind this filter.
 """
 
 from dataclasses import dataclass, field
@@ -16,36 +16,35 @@ from heli_gym.rig import Rig
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
-BRAKING = 0.8  # share of the greatest pitch acceleration of one fan that the barrier counts on
-CONVERGENCE = 10.0  # 1/s, at which a rate may approach the barrier
-MARGIN = 0.1  # rad, of the barrier from the limit, for model errors and encoders
-ROUNDING = 0.1  # rad/s, by which the barrier is rounded where the margin is used up
+BRAKING = 0.8  # share of one fan's greatest pitch acceleration that the barrier assumes
+CONVERGENCE = 10.0  # 1/s, rate of convergence to the barrier
+MARGIN = 0.1  # rad, distance of the barrier from the limit, for errors of model and encoders
+ROUNDING = 0.1  # rad/s, rounding of the barrier's corner at zero distance
 
 
 class Memory(NamedTuple):
     """State of a `SafetyFilter` between control periods."""
 
-    base: Any  # memory of the policy, where it is a `StatefulPolicy`
-    rotors: np.ndarray  # (2, ...) simulated rotor speeds, as voltages; V
-    pending: tuple[np.ndarray, ...]  # (2, ...) each, commanded and not yet in effect; V
+    base: Any  # memory of the policy if it is a `StatefulPolicy`
+    rotors: np.ndarray  # (2, ...) simulated rotor speeds, as voltages in V
+    pending: tuple[np.ndarray, ...]  # (2, ...) each in V: commands still in the delay line, oldest first
 
 
 @dataclass(eq=False)
 class SafetyFilter(StatefulPolicy):
-    """A policy whose thrust difference is limited by control barrier functions of the pitch.
+    """Policy behind control barrier functions of the pitch, which limit its thrust difference.
 
-    The barrier is the braking distance: a rate towards a limit at the distance d is at most sqrt(2 A d), with an
-    acceleration A that one fan can surely give, and approaches that no faster than at the rate CONVERGENCE (Ames et
-    al., "Control barrier functions: theory and applications", ECC 2019). (3c) is affine in the thrust difference, so
-    that the quadratic program has a closed solution: clip the thrust difference, and change the thrust sum no more than
-    the fans make necessary. Delay and lag are led: the pitch and its rate are those when the voltages have become
-    thrust.
+    The barrier is the braking distance: at a distance d from a limit, the rate towards it is at most sqrt(2 A d), where
+    A is an acceleration within the reach of one fan. The rate approaches this bound at most with the rate constant
+    CONVERGENCE (Ames et al., "Control barrier functions: theory and applications", ECC 2019). Equation (3c) is affine
+    in the thrust difference, which gives the quadratic program a closed-form solution: clip the thrust difference and
+    change the thrust sum only as far as the fans require. Pitch and pitch rate are predicted over delay and lag.
 
     Args:
-        base: policy that is filtered.
-        x: states (6, K + 1) of the reference on the control grid, for the first rotor speeds and for `fly`.
-        u: voltages (2, K + 1) of the reference.
-        pitch_limits: rad, that are kept.
+        base: policy to filter.
+        x: reference states (6, K + 1) on the control grid; `fly` checks them.
+        u: reference voltages (2, K + 1) in V: the first rotor speeds.
+        pitch_limits: (min, max) in rad to enforce.
     """
 
     base: Policy
@@ -60,16 +59,16 @@ class SafetyFilter(StatefulPolicy):
 
     @property
     def reference_states(self) -> np.ndarray:
-        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        """Reference states (6, K + 1) on the control grid; `fly` checks them."""
         return self.x
 
     def reset(self, rng: np.random.Generator) -> None:
-        """Forget the last flight."""
+        """Clear the memory of the last flight, also the policy's."""
         super().reset(rng)
         self.base.reset(rng)
 
     def init(self, t: float | np.ndarray, measurement: np.ndarray) -> Memory:
-        """Rotors at the reference's voltages."""
+        """Memory with the rotors at the reference's voltages."""
         k = step_index(t, self.control_period, self.x.shape[1] - 1)
         u = expand_batch_dims(self.u[:, k], measurement) + np.zeros(measurement.shape[1:])
         base = self.base.init(t, measurement) if isinstance(self.base, StatefulPolicy) else None
@@ -83,15 +82,15 @@ class SafetyFilter(StatefulPolicy):
         later, rotors = measurement, memory.rotors
         for applied in memory.pending:
             later, rotors = self.predict(later, rotors, applied)
-        u = self.filtered(later, rotors, np.clip(u, *self.voltage_limits))
+        u = self.filter_voltages(later, rotors, np.clip(u, *self.voltage_limits))
         if base is not None and hasattr(self.base, "with_applied_input"):
             base = self.base.with_applied_input(base, u)
         pending = (*memory.pending, u)
         _, rotors = self.predict(measurement, memory.rotors, pending[0])
         return u, Memory(base, rotors, pending[1:])
 
-    def filtered(self, x: np.ndarray, rotors: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """The voltages closest to u (2, ...), by the thrust difference, that keep the barriers at states x (6, ...)."""
+    def filter_voltages(self, x: np.ndarray, rotors: np.ndarray, u: np.ndarray) -> np.ndarray:
+        """Voltages (2, ...) in V within the barriers at states x (6, ...), closest to u in thrust difference."""
         p, lag = self.rig.parameters, self.actuator.lag
         v1, v2 = virtual_input(self.rig.thrust(u))
         at_zero, at_one, now = (
@@ -105,25 +104,25 @@ class SafetyFilter(StatefulPolicy):
         most = greatest_acceleration(high - MARGIN - pitch, rate, braking)
         least = -greatest_acceleration(pitch - low - MARGIN, -rate, braking)
         bounds = np.sort([(least - at_zero) / slope, (most - at_zero) / slope], axis=0)
-        kept = np.clip(v2, bounds[0], bounds[1])
-        total = np.maximum(np.minimum(v1, 2.0 * strongest - np.abs(kept)), np.abs(kept))
-        limited = np.clip(self.rig.voltage(fan_thrusts((total, kept))), *self.voltage_limits)
-        return np.where(kept == v2, u, limited)
+        difference = np.clip(v2, bounds[0], bounds[1])
+        total = np.maximum(np.minimum(v1, 2.0 * strongest - np.abs(difference)), np.abs(difference))
+        limited = np.clip(self.rig.voltage(fan_thrusts((total, difference))), *self.voltage_limits)
+        return np.where(difference == v2, u, limited)
 
     def predict(self, x: Any, rotors: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
-        """State (6, ...) and rotor speeds (2, ...) a control period later."""
+        """State (6, ...) and rotor speeds (2, ...) one control period later."""
         return predict(x, rotors, u, np.zeros(3), self.control_period, self.actuator.lag, self.rig)
 
 
 def greatest_acceleration(distance: np.ndarray, rate: np.ndarray, braking: np.ndarray) -> np.ndarray:
-    """Acceleration towards a limit, at this distance in rad and rate in rad/s, that keeps the barrier, in rad/s²."""
+    """Greatest acceleration in rad/s² towards a limit within the barrier, at a distance in rad and a rate in rad/s."""
     root = np.sqrt(2.0 * braking * np.maximum(distance, 0.0) + ROUNDING**2)
     allowed = root - ROUNDING + CONVERGENCE * np.minimum(distance, 0.0)
     return CONVERGENCE * (allowed - rate) - braking * rate / root
 
 
 def safety_filter(base: Policy, reference: Trajectory, control_period: float, rig: Rig) -> SafetyFilter:
-    """A filter around a policy that keeps the pitch away from where the flight ends, `rig.pitch_limit`."""
+    """Safety filter around a policy, with the rig's pitch stops as limits."""
     x, u = control_grid(reference, control_period)
     limits = -rig.pitch_limit, rig.pitch_limit
     actuator = nominal_actuator(rig, control_period)

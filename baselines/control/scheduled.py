@@ -1,4 +1,4 @@
-"""Gain-scheduled regulator: stationary gains of frozen operating points, interpolated over the measured pitch."""
+"""Gain-scheduled regulator: stationary gains at fixed operating points, interpolated over the measured pitch."""
 
 from dataclasses import dataclass
 
@@ -13,15 +13,15 @@ from heli_gym.rig import Rig
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
-PITCHES = np.radians(np.linspace(-60.0, 60.0, 13))  # operating points
+PITCHES = np.radians(np.linspace(-60.0, 60.0, 13))  # rad, operating points
 
 
 @dataclass(frozen=True, eq=False)
 class ScheduledPolicy(MemorylessPolicy):
-    """The feedforward and a feedback on the tracking error, whose gains (2, 6, 13) depend on the measured pitch.
+    """Feedforward and feedback on the tracking error, with gains (2, 6, 13) scheduled over the measured pitch.
 
-    Rugh and Shamma, "Research on gain scheduling", Automatica 36(10), 2000. x (6, K + 1) and v (2, K + 1) are the
-    reference on the control grid.
+    x (6, K + 1) and v (2, K + 1) are the reference on the control grid. Source: Rugh and Shamma, "Research on gain
+    scheduling", Automatica 36(10), 2000.
     """
 
     x: np.ndarray
@@ -32,7 +32,7 @@ class ScheduledPolicy(MemorylessPolicy):
 
     @property
     def reference_states(self) -> np.ndarray:
-        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        """Reference states (6, K + 1) on the control grid; `fly` checks them."""
         return self.x
 
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
@@ -46,7 +46,7 @@ class ScheduledPolicy(MemorylessPolicy):
 
 
 def gain_scheduled(reference: Trajectory, control_period: float, rig: Rig, weights: Weights = TVLQR) -> ScheduledPolicy:
-    """The paper's feedforward with a stationary regulator of each pitch, where lift balances the weight."""
+    """Paper's feedforward with one stationary regulator per pitch, at which the lift balances the weight."""
     x, u = control_grid(reference, control_period)
     points = np.zeros((6, len(PITCHES)))
     points[2], points[4] = reference.x[2, -1], PITCHES

@@ -16,10 +16,10 @@ from heli_gym.trajectory import Trajectory
 
 @dataclass(frozen=True, eq=False)
 class TrackingPolicy(MemorylessPolicy):
-    """The two-degrees-of-freedom scheme of Fig. 3: a feedforward and a state feedback on the tracking error, (51).
+    """Two-degrees-of-freedom scheme of Fig. 3: feedforward and state feedback on the tracking error, (51).
 
-    Arrays are on the control grid, K + 1 times `control_period` s apart: x (6, K + 1), the feedforward's v (2, K + 1)
-    in N and the gains (2, 6, K + 1), whose correction is in N too.
+    Arrays are on the control grid: states x (6, K + 1), feedforward v (2, K + 1) in N, and gains (2, 6, K + 1) from
+    state errors to v.
     """
 
     x: np.ndarray
@@ -30,7 +30,7 @@ class TrackingPolicy(MemorylessPolicy):
 
     @property
     def reference_states(self) -> np.ndarray:
-        """States (6, K + 1) of the reference on the control grid, which `fly` checks."""
+        """Reference states (6, K + 1) on the control grid; `fly` checks them."""
         return self.x
 
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
@@ -41,7 +41,7 @@ class TrackingPolicy(MemorylessPolicy):
 
 
 def open_loop(reference: Trajectory, control_period: float, rig: Rig) -> TrackingPolicy:
-    """The feedforward alone."""
+    """Feedforward without feedback."""
     rig = assumed_rig(reference, rig)
     x, u = control_grid(reference, control_period)
     v = np.stack(virtual_input(rig.thrust(u)))
@@ -51,7 +51,7 @@ def open_loop(reference: Trajectory, control_period: float, rig: Rig) -> Trackin
 def feedforward_tvlqr(
     reference: Trajectory, control_period: float, rig: Rig, weights: Weights = TVLQR
 ) -> TrackingPolicy:
-    """The paper's controller: the feedforward of Section III-D and the time-varying regulator of Section III-E."""
+    """Paper's controller: feedforward of Section III-D and time-varying regulator of Section III-E."""
     feedforward = open_loop(reference, control_period, rig)
     times = control_period * np.arange(feedforward.x.shape[1])
     gains = riccati_gains(reference, rig, weights.Q, weights.R)(times)
@@ -59,7 +59,7 @@ def feedforward_tvlqr(
 
 
 def hover_lqr(reference: Trajectory, control_period: float, rig: Rig) -> TrackingPolicy:
-    """A stationary regulator about hover at the goal, which follows the reference's states without feedforward."""
+    """Stationary regulator for hover at the goal; it tracks the reference's states without feedforward."""
     rig = assumed_rig(reference, rig)
     x, _ = control_grid(reference, control_period)
     elevation = float(reference.x[2, -1])

@@ -1,6 +1,6 @@
-"""The weights that the controllers are designed with: in use for all plants, and stored for single ones.
+"""Design weights of the controllers: general ones, and stored ones for single plants.
 
-Those of the paper's regulator stand in tvlqr.py.
+The weights of the paper's regulator are in `baselines/paper/tvlqr.py`.
 """
 
 import json
@@ -16,12 +16,12 @@ from heli_gym.baselines.paper import tvlqr
 from heli_gym.rig import PAPER, Rig, check_same_rig, same_dynamics
 from heli_gym.storage import atomic_write, locked
 
-TUNED = Path(__file__).parent / "tuned"  # weights for single plants, a file each
+TUNED = Path(__file__).parent / "tuned"  # one file of weights per plant
 
 
 @dataclass(frozen=True)
 class ObserverWeights(Weights):
-    """Those of a regulator, and the intensities of `Noise`."""
+    """Weights of a regulator and intensities of the Kalman filter's `Noise`."""
 
     travel_disturbance: float
     elevation_disturbance: float
@@ -30,12 +30,12 @@ class ObserverWeights(Weights):
 
     @property
     def noise(self) -> Noise:
-        """What drives the Kalman filter."""
+        """Process noise of the Kalman filter."""
         return Noise(self.travel_disturbance, self.elevation_disturbance, self.pitch_disturbance, self.acceleration)
 
 
-# But for the paper's, rounded from what a search like that of `heli-tune` found, half on nominal
-# helicopters and half on draws of `lab`.
+# All but the paper's are rounded results of a search like that of `heli-tune`, half on nominal helicopters and half on
+# draws of `lab`.
 TVLQR = Weights(*np.diag(tvlqr.Q).tolist(), *np.diag(tvlqr.R).tolist())
 LQI = IntegralWeights(
     travel=30.0,
@@ -85,7 +85,7 @@ KALMAN_LQR = ObserverWeights(
     pitch_disturbance=0.9,
     acceleration=0.01,
 )
-WEIGHTS: dict[str, Weights] = {  # of those that can be tuned
+WEIGHTS: dict[str, Weights] = {  # of the tunable policies
     "feedforward+tvlqr": TVLQR,
     "lqi": LQI,
     "lag-lqr": LAG_LQR,
@@ -95,13 +95,13 @@ WEIGHTS: dict[str, Weights] = {  # of those that can be tuned
 
 
 def weights_file(plant: str, rig: Rig) -> Path:
-    """Where the weights for a plant of a rig are stored; those of the paper's rig are without its name."""
+    """File of the stored weights for a plant of a rig; the file name omits the paper's rig."""
     name = re.sub(r"[^\w-]", "_", rig.name)
     return TUNED / (f"{plant}.json" if same_dynamics(rig, PAPER) else f"{plant}.{name}.json")
 
 
 def store_weights(name: str, plant: str, weights: Weights, rig: Rig = PAPER) -> None:
-    """Keeps the weights of a policy for a plant, atomically: those that `name@plant` flies with on this rig."""
+    """Store the weights of a policy for a plant and a rig, atomically; the policy `name@plant` uses them."""
     path = weights_file(plant, rig)
     rounded = {key: float(f"{value:.4g}") for key, value in asdict(weights).items()}
     with locked(path):
@@ -113,9 +113,9 @@ def store_weights(name: str, plant: str, weights: Weights, rig: Rig = PAPER) -> 
 
 
 def stored_weights(name: str, plant: str, rig: Rig = PAPER) -> Weights:
-    """What `store_weights` has kept. Raises ValueError where there is nothing, or only for another rig."""
+    """Weights that `store_weights` stored. Raises ValueError if there are no weights for the plant and the rig."""
     path, called = weights_file(plant, rig), f"name = {f'{name}@{plant}'!r}"
-    if not path.is_file():  # says which rig has some, if any
+    if not path.is_file():  # then the message below names the rig that has weights
         path = TUNED / f"{plant}.json"
     known = json.loads(path.read_text()) if path.is_file() else {}
     if name not in known:
@@ -129,6 +129,6 @@ def stored_weights(name: str, plant: str, rig: Rig = PAPER) -> Weights:
 
 
 def weights_of(name: str, rig: Rig = PAPER) -> Weights:
-    """Those that the policy of this name flies with on a rig, "lqi" or "lqi@lab" say."""
+    """Weights of the named policy on a rig, for example of "lqi" or "lqi@lab"."""
     kind, _, plant = name.partition("@")
     return stored_weights(kind, plant, rig) if plant else WEIGHTS[kind]
