@@ -41,7 +41,7 @@ from heli_gym.baselines.control.residual import (
     save_learned,
 )
 from heli_gym.baselines.control.weights import weights_file
-from heli_gym.baselines.evaluation.metrics import ONE, Metrics, flight_metrics
+from heli_gym.baselines.evaluation.metrics import HALVING_ERROR, Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many
 from heli_gym.cli import command, parse
 from heli_gym.env import reference_for
@@ -370,7 +370,7 @@ def score(args: Args, row: dict[str, Any]) -> float:
     """Score by which the best network is chosen: the return, or small errors, little cost and few failures."""
     if args.objective == "environment":
         return row["episode_return"]
-    travel, elevation = np.radians(row["rms_error_deg"][:2]) / ONE
+    travel, elevation = np.radians(row["rms_error_deg"][:2]) / HALVING_ERROR
     unflown = 1.0 - row["flown"] / reference_of(args).duration
     return row["success"] - 0.5 * (travel + elevation) - 0.25 * row["cost"] - EARLY_END_PENALTY * unflown
 

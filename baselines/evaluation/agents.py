@@ -1,7 +1,7 @@
-"""Whatever flies a helicopter, made ready to be flown: names of policies, files of agents, a user's own function.
+"""Pilots for `fly`, made from policy names, files of agents or a user's own functions.
 
-A policy turns times and measurements into voltages, an agent turns the environment's observations into its actions.
-Files hold numbers only: nothing is unpickled.
+A policy maps times and measurements to voltages; an agent maps the environment's observations to its actions. Only
+numbers are read from files: nothing is unpickled.
 """
 
 import importlib
@@ -22,7 +22,7 @@ import numpy as np
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.trajectory import Trajectory
 
-MAX_BYTES = 2**30  # of one tensor file
+MAX_BYTES = 2**30  # greatest size of a tensor file
 DTYPES = {"FloatStorage": "<f4", "DoubleStorage": "<f8", "HalfStorage": "<f2", "LongStorage": "<i8"}
 ACTIVATIONS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "Tanh": np.tanh,
@@ -34,16 +34,16 @@ ACTIVATIONS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 
 
 class Agent:
-    """Acts on observations (N, D) of the environment with actions (N, 2) in [-1, 1]."""
+    """Agent without memory: maps observations (N, D) of the environment to actions (N, 2) in [-1, 1]."""
 
     def __init__(self, act: Callable[[np.ndarray], Any], name: str = "agent") -> None:
         self.predict, self.name = act, name
 
     def reset(self, rng: np.random.Generator) -> None:
-        """Nothing: an agent without memory."""
+        """Do nothing: an agent has no memory."""
 
     def act(self, observation: np.ndarray) -> np.ndarray:
-        """Actions (N, 2) for observations (N, D). Raises ValueError if the actions are no such numbers."""
+        """Actions (N, 2) for observations (N, D). Raises ValueError unless they are (N, 2) finite numbers."""
         action = np.asarray(self.predict(observation), dtype=float)
         if action.shape != (len(observation), 2) or not np.isfinite(action).all():
             raise ValueError(f"{self.name}: must give finite actions ({len(observation)}, 2), but gave {action.shape}")
@@ -51,13 +51,13 @@ class Agent:
 
 
 class FunctionPolicy:
-    """A user's function of time and measurement, flown one helicopter at a time unless it has a true `batched`."""
+    """Policy from a user's function of time and measurement; a true `batched` lets it fly many helicopters at once."""
 
     def __init__(self, function: Callable[[float, np.ndarray], Any]) -> None:
         self.function, self.batched = function, bool(getattr(function, "batched", False))
 
     def reset(self, rng: np.random.Generator) -> None:
-        """Forwarded, if the function has a `reset` of its own."""
+        """Call the function's own `reset`, if it has one."""
         if hasattr(self.function, "reset"):
             self.function.reset(rng)
 
@@ -74,19 +74,22 @@ def make_pilot(
     control_period: float = 0.02,
     voltage_limits: tuple[float, float] | None = None,
 ) -> Any:
-    """What `fly` flies, a policy or an `Agent`, out of whatever names or is a policy.
+    """Make a pilot for `fly`, a policy or an `Agent`, from a name, a file or an object.
 
     Args:
-        policy: a name of `POLICIES`; the path of a learned policy (.json), of a Stable-Baselines3 model (.zip) or of an
-            ONNX network (.onnx), these two from observations to actions; "module:function", a function that makes a
-            policy and may have the arguments `reference`, `control_period` and `voltage_limits`; a model with
-            `predict`; a policy; or a function of time and measurement that returns voltages.
+        policy: one of
+            - a name in `POLICIES`;
+            - the path of a learned policy (.json), a Stable-Baselines3 model (.zip) or an ONNX network (.onnx); the
+              latter two map observations to actions;
+            - "module:function", a function that makes a policy, with any of the arguments `reference`,
+              `control_period` and `voltage_limits`;
+            - a model with `predict`, a policy, or a function of time and measurement that returns voltages.
         reference: trajectory to track.
         control_period: s.
-        voltage_limits: V, of the reference's rig by default.
+        voltage_limits: (min, max) in V; by default those of the reference's rig.
 
     Raises:
-        ValueError: if there is no policy of this name, or its file is damaged.
+        ValueError: for an unknown name or a damaged file.
         ImportError: if the module or ONNX Runtime cannot be imported.
     """
     voltage_limits = voltage_limits or reference.rig.voltage_limits
@@ -106,7 +109,7 @@ def make_pilot(
 
 
 def as_pilot(policy: Any) -> Any:
-    """An object as a policy or an agent. Raises ValueError if it is none."""
+    """Policy or agent for an object. Raises ValueError for any other object."""
     if isinstance(policy, Agent) or (callable(policy) and hasattr(policy, "reset") and hasattr(policy, "act")):
         return policy
     if callable(policy):
@@ -117,7 +120,7 @@ def as_pilot(policy: Any) -> Any:
 
 
 def find_function(name: str, module: str, function: str) -> Callable[..., Any]:
-    """The function that "module:function" names; the working directory is searched first, as by `python -m`."""
+    """Import the function of "module:function"; the working directory comes first, as for `python -m`."""
     if str(Path.cwd()) not in sys.path:
         sys.path.insert(0, str(Path.cwd()))
     try:
@@ -134,7 +137,7 @@ def find_function(name: str, module: str, function: str) -> Callable[..., Any]:
 
 
 def accepts(function: Callable[..., Any], name: str) -> bool:
-    """Whether a function has an argument of this name."""
+    """Whether a function has an argument with the given name."""
     parameters = inspect.signature(function).parameters
     return name in parameters or any(p.kind is p.VAR_KEYWORD for p in parameters.values())
 
@@ -144,9 +147,9 @@ def accepts(function: Callable[..., Any], name: str) -> bool:
 
 @dataclass(frozen=True)
 class Layers:
-    """A network of dense layers, from observations (N, D) to actions (N, 2)."""
+    """Network of dense layers: maps observations (N, D) to actions (N, 2)."""
 
-    weights: tuple[np.ndarray, ...]  # (out, in) each
+    weights: tuple[np.ndarray, ...]  # each (out, in)
     biases: tuple[np.ndarray, ...]
     activation: str
     tanh_output: bool
@@ -164,11 +167,11 @@ class Layers:
 
 
 def load_sb3(path: str) -> Agent:
-    """The actor of a Stable-Baselines3 model (PPO, A2C, SAC, TQC, TD3, DDPG with an MlpPolicy), without exploring.
+    """Load the deterministic actor of a Stable-Baselines3 model: PPO, A2C, SAC, TQC, TD3 or DDPG with an MlpPolicy.
 
-    Only the parameters are read, and of the settings the name of the activation function.
+    Only the parameters and the name of the activation function are read.
 
-    Raises ValueError if the file is no such model, or its network another one.
+    Raises ValueError for another file or another network.
     """
     try:
         with zipfile.ZipFile(path) as archive:
@@ -176,9 +179,9 @@ def load_sb3(path: str) -> Agent:
             settings = json.loads(member(archive, "data"))
     except OSError:
         raise
-    except Exception as error:  # whatever a damaged archive, table of tensors or JSON leads to
+    except Exception as error:  # a damaged archive, tensor table or JSON raises many types
         raise ValueError(f"policy = {path!r}: must be a model that Stable-Baselines3 saved: {error}") from error
-    layouts = (  # names of hidden layers and of the last, default activation, whether tanh follows
+    layouts = (  # names of hidden and last layers, default activation, tanh at the end
         ("mlp_extractor.policy_net.", "action_net.", "Tanh", False),
         ("actor.latent_pi.", "actor.mu.", "ReLU", True),
         ("actor.mu.", None, "ReLU", True),
@@ -213,23 +216,23 @@ def load_sb3(path: str) -> Agent:
 
 
 def ordered_layers(tensors: dict[str, np.ndarray], prefix: str) -> list[str]:
-    """The names of the dense layers `prefix`N, in order."""
+    """Names of the dense layers `prefix`N, in the order of N."""
     numbers = {name[len(prefix) :].partition(".")[0] for name in tensors if name.startswith(prefix)}
     return [f"{prefix}{n}" for n in sorted((n for n in numbers if n.isdigit()), key=int)]
 
 
 def member(archive: zipfile.ZipFile, name: str) -> bytes:
-    """A file of an archive, unless it is too large to be what it should be."""
+    """Contents of a file in an archive. Raises ValueError above MAX_BYTES."""
     if archive.getinfo(name).file_size > MAX_BYTES:
         raise ValueError(f"{name} is too large")
     return archive.read(name)
 
 
 def read_state_dict(data: bytes) -> dict[str, np.ndarray]:
-    """The tensors of a dictionary that PyTorch saved as a zip archive.
+    """Read the tensors of a state dictionary that PyTorch saved as a zip archive, without unpickling.
 
-    Its pickle is read as a list of instructions, of which only those that such a dictionary consists of are followed:
-    nothing is imported, called or built but arrays. Raises ValueError for any other.
+    The pickle is parsed as a list of instructions, and only the instructions of a state dictionary are interpreted:
+    nothing is imported or called. Raises ValueError for any other instruction.
     """
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
         [table] = [name for name in archive.namelist() if name.endswith("/data.pkl")]
@@ -254,7 +257,7 @@ def read_state_dict(data: bytes) -> dict[str, np.ndarray]:
 
 
 def follow(program: bytes, tensor: Callable[..., np.ndarray]) -> dict[str, np.ndarray]:
-    """The dictionary that a pickle's instructions describe, its tensors made by `tensor`."""
+    """Interpret a pickle's instructions as a dictionary; `tensor` makes its tensors."""
     mark = object()
     stack: list[Any] = []
     memo: dict[int, Any] = {}
@@ -307,7 +310,7 @@ def follow(program: bytes, tensor: Callable[..., np.ndarray]) -> dict[str, np.nd
                 n = int(opcode.name[-1])
                 stack[-n:] = [tuple(stack[-n:])]
             case "BINPERSID":
-                pass  # the storage's description stands for the storage
+                pass  # the storage's description replaces the storage
             case "REDUCE":
                 stack.append(reduce())
             case "SETITEM":
@@ -317,16 +320,16 @@ def follow(program: bytes, tensor: Callable[..., np.ndarray]) -> dict[str, np.nd
                 items = pop_to_mark()
                 stack[-1].update(zip(items[0::2], items[1::2]))
             case "BUILD":
-                stack.pop()  # the metadata of the dictionary
+                stack.pop()  # drop the metadata of the dictionary
             case other:
                 raise ValueError(f"it has the instruction {other}")
     raise ValueError("it has no end")
 
 
 def load_onnx(path: str) -> Agent:
-    """A network from observations (N, D) to actions (N, 2), run by ONNX Runtime.
+    """Load an ONNX network that maps observations (N, D) to actions (N, 2); ONNX Runtime evaluates it.
 
-    Raises ValueError if the file is damaged or of another network, ImportError without ONNX Runtime.
+    Raises ValueError for a damaged file or another network, ImportError without ONNX Runtime.
     """
     try:
         import onnxruntime
@@ -337,7 +340,7 @@ def load_onnx(path: str) -> Agent:
         options = onnxruntime.SessionOptions()
         options.intra_op_num_threads = options.inter_op_num_threads = 1
         session = onnxruntime.InferenceSession(data, options, providers=["CPUExecutionProvider"])
-    except Exception as error:  # ONNX Runtime has exceptions of its own
+    except Exception as error:  # ONNX Runtime raises its own exception types
         raise ValueError(f"policy = {path!r}: must be a network in ONNX: {str(error).splitlines()[0]}") from error
     [first, *others] = session.get_inputs()
     if others or len(first.shape) != 2:

@@ -1,4 +1,4 @@
-"""What leaderboards fly: plants, each also with disturbances that no controller was designed or tuned for."""
+"""Conditions of leaderboards: plants, and plants with disturbances outside the design family."""
 
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
@@ -7,13 +7,13 @@ from typing import Any
 from heli_gym.plant import AXES, NOMINAL_RIGS, Gust, OneOf, Plant, RotorFault, Uniform, find_plant, parts_of
 
 OUTSIDE = "+outside"
-COULOMB = (Uniform(0.0, 0.01), Uniform(0.0, 0.02), Uniform(0.0, 0.05))  # rad/s², of travel, elevation and pitch
+COULOMB = (Uniform(0.0, 0.01), Uniform(0.0, 0.02), Uniform(0.0, 0.05))  # rad/s²: travel, elevation, pitch
 WEAKER = Uniform(0.0, 0.06)  # share of the front rotor's thrust
 GUSTS = (Gust("travel", 0.02), Gust("elevation", 0.02), Gust("pitch", 0.1))  # rad/s²
 
 
 def find_condition(name: str | Plant) -> Plant:
-    """A plant, or "NAME+outside": with Coulomb friction, a front rotor weaker by up to 6 % and gusts as well.
+    """Plant NAME, or "NAME+outside": with Coulomb friction, a front rotor weaker by up to 6 %, and gusts.
 
     Raises ValueError for an unknown name.
     """
@@ -29,17 +29,17 @@ def find_condition(name: str | Plant) -> Plant:
 
 
 def widened(value: Any, more: Uniform) -> Uniform:
-    """The range of a number, or of a range, with up to as much more as another range has."""
+    """Range of a number or a range, with the bounds of another range added."""
     low, high = (value.low, value.high) if isinstance(value, Uniform) else (value, value)
     return Uniform(low + more.low, high + more.high)
 
 
 def rig_of(name: str | Plant) -> str:
-    """The rig that controllers on this plant are designed for: that which the plant deviates from."""
+    """Nominal rig of a plant, for which its controllers are designed."""
     return NOMINAL_RIGS.get(name.removesuffix(OUTSIDE), "paper") if isinstance(name, str) else "paper"
 
 
-UNITS = {  # of parameters of plants, by the last word of their names
+UNITS = {  # of plant parameters, by the last word of their names
     "lag": "s",
     "thrust_loss": "",
     "viscous": "1/s",
@@ -54,12 +54,12 @@ UNITS = {  # of parameters of plants, by the last word of their names
 
 
 def describe_draw(plant: Plant, draw: Plant) -> list[tuple[str, str]]:
-    """Names and values of the parameters of a draw that the plant has ranges or options for."""
-    return [(name.replace("_", " "), value) for name, value in drawn_values(plant, draw, "")]
+    """Names and values of the random parameters in a draw of a plant."""
+    return [(name.replace("_", " "), value) for name, value in random_values(plant, draw, "")]
 
 
-def drawn_values(preset: Any, drawn: Any, name: str) -> Iterator[tuple[str, str]]:
-    """Walk through a plant and its draw, however deep."""
+def random_values(preset: Any, drawn: Any, name: str) -> Iterator[tuple[str, str]]:
+    """Yield names and values of the random parameters, recursively through a plant and its draw."""
     if isinstance(preset, Uniform):
         unit = next((unit for word, unit in UNITS.items() if word in name), "")
         yield name, f"{drawn:.3g} {unit}".strip() + f" ({preset.low:g} to {preset.high:g})"
@@ -67,18 +67,18 @@ def drawn_values(preset: Any, drawn: Any, name: str) -> Iterator[tuple[str, str]
         matching = [k for k, option in enumerate(preset.options) if fits(option, drawn)]
         if matching:
             yield name, f"{matching[0] + 1} of {len(preset.options)}"
-            yield from drawn_values(preset.options[matching[0]], drawn, name)
+            yield from random_values(preset.options[matching[0]], drawn, name)
     elif is_dataclass(preset):
         for f in fields(preset):
-            yield from drawn_values(getattr(preset, f.name), getattr(drawn, f.name), f"{name} {f.name}".strip())
+            yield from random_values(getattr(preset, f.name), getattr(drawn, f.name), f"{name} {f.name}".strip())
     elif isinstance(preset, tuple):
         names = getattr(preset, "_fields", AXES if len(preset) == len(AXES) else range(1, len(preset) + 1))
         for part_name, part, value in zip(names, preset, drawn):
-            yield from drawn_values(part, value, f"{name} {part_name}")
+            yield from random_values(part, value, f"{name} {part_name}")
 
 
 def fits(preset: Any, drawn: Any) -> bool:
-    """Whether a value can be a draw of the preset."""
+    """Whether a value is a possible draw of the preset."""
     if isinstance(preset, Uniform):
         return isinstance(drawn, float | int) and preset.low <= drawn <= preset.high
     if isinstance(preset, OneOf):

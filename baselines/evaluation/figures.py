@@ -1,4 +1,4 @@
-"""The paper's figures as values: each function returns a matplotlib Figure, and nothing needs a display."""
+"""The paper's figures: each function returns a matplotlib Figure, without a display."""
 
 import math
 import os
@@ -25,22 +25,22 @@ from heli_gym.trajectory import Maneuver, Trajectory
 
 DPI = 150
 FORMATS = ("png", "pdf", "svg")
-COLUMN_WIDTHS = {1: 3.5, 2: 7.16}  # inches, of journals with two columns
-TALLER = {1: 0.19, 2: 0.13}  # times the width in inches on the screen: how much higher than in proportion
-LEGEND_LETTERS = 55  # in a row of a column
+COLUMN_WIDTHS = {1: 3.5, 2: 7.16}  # inches: one and two columns of a journal
+TALLER = {1: 0.19, 2: 0.13}  # additional height per inch of on-screen width
+LEGEND_LETTERS = 55  # per row of a legend, in one column
 FONT_SIZES, PRINT_DPI = {1: 6.0, 2: 7.5}, 300
 DATELESS = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}
-PAPER_V2 = 0.58  # N, the paper's rounding of (18), at the end of Section III-D
-PAPER_LEAST_V2 = 0.11  # N, and of (43)
+PAPER_V2 = 0.58  # N, (18) as rounded at the end of Section III-D
+PAPER_LEAST_V2 = 0.11  # N, (43) as rounded there
 
-# One colour per meaning; those of policies are in `labels`.
+# One colour per meaning; `labels` has the colours of policies.
 INK, NOTE = "black", "0.35"
-FLOWN = (BLUE, GREEN, PINK, SKY, ORANGE)  # of lines that are no policies
+FLOWN = (BLUE, GREEN, PINK, SKY, ORANGE)  # of lines other than policies
 LIMIT: dict[str, Any] = {"color": RED, "linestyle": (0, (6, 3)), "linewidth": 1.1}
 PLAN: dict[str, Any] = {"color": INK, "linewidth": 1.2}
 GUIDE: dict[str, Any] = {"color": NOTE, "linestyle": ":", "linewidth": 1.2}
 
-# A decorator: matplotlib's settings change only while a figure is made or saved.
+# Decorator that changes matplotlib's settings only while a figure is made or saved.
 styled = rc_context(
     {
         "figure.constrained_layout.use": True,
@@ -65,13 +65,13 @@ styled = rc_context(
 
 
 class Quantity(NamedTuple):
-    """What a panel shows over time."""
+    """Quantity in a panel over time."""
 
     name: str
     unit: str
-    values: Callable[[Trajectory], np.ndarray]  # (K,), in that unit, as are the limits
+    values: Callable[[Trajectory], np.ndarray]  # (K,), in `unit`; so are the limits
     limits: Callable[[Limits], tuple[float, float]] | None = None
-    held: bool = False  # whether a flight holds each value until the next sample
+    held: bool = False  # True: a flight holds each value until the next sample
 
 
 TRAVEL = Quantity("travel $q_1$", "deg", lambda flight: np.degrees(flight.x[0]))
@@ -83,7 +83,7 @@ BACK = Quantity("back motor $u_b$", "V", lambda flight: flight.u[1], lambda limi
 
 @styled
 def thrust_map(parameters: HelicopterParameters, limits: Limits = Limits()) -> Figure:
-    """Fig. 2: what one fan thrusts at a voltage, (2)."""
+    """Fig. 2: thrust of one fan over its voltage, (2)."""
     figure, axes = single_panel("voltage $u$ (V)", "thrust of one fan $f$ (N)")
     u = np.linspace(-AMPLIFIER_LIMITS[1], AMPLIFIER_LIMITS[1], 481)
     hover = float(hover_input(0.0, parameters)[0]) / 2.0
@@ -98,7 +98,7 @@ def thrust_map(parameters: HelicopterParameters, limits: Limits = Limits()) -> F
 
 @styled
 def feedforward(trajectory: Trajectory, rig: Rig | HelicopterParameters, title: str) -> Figure:
-    """Figs. 4 and 8: the angles, virtual inputs and voltages of a plan."""
+    """Figs. 4 and 8: angles, virtual inputs and voltages of a plan."""
     rig = assumed_rig(trajectory, rig)
     figure = Figure(figsize=(7.2, 7.2))
     *angle_panels, v1_panel, v2_panel, front_panel, back_panel = rows_of_panels(figure, 3, 2, 2)
@@ -129,7 +129,7 @@ def feedforward(trajectory: Trajectory, rig: Rig | HelicopterParameters, title: 
 
 @styled
 def input_constraints(limits: Limits, parameters: HelicopterParameters) -> Figure:
-    """Fig. 5: what the voltage limits leave of the thrusts and, by (17)-(20), of their sum and difference."""
+    """Fig. 5: admissible thrusts for the voltage limits, and by (17)-(20) their sums and differences."""
     figure = Figure(figsize=(8.0, 4.2))
     thrusts, virtual = figure.subplots(1, 2)
     f_min, f_max = f = thrust_bounds(limits, parameters)
@@ -164,7 +164,7 @@ def input_constraints(limits: Limits, parameters: HelicopterParameters) -> Figur
 
 @styled
 def smooth_saturation(bounds: tuple[float, float]) -> Figure:
-    """Fig. 6: the saturation function (27), for pitch bounds in rad."""
+    """Fig. 6: saturation function (27) for pitch bounds (min, max) in rad."""
     reach = 1.5 * (bounds[1] - bounds[0])
     xi = np.linspace(-reach, reach, 401)
     at_0 = psi1(0.0, bounds)
@@ -182,7 +182,7 @@ def smooth_saturation(bounds: tuple[float, float]) -> Figure:
 
 @styled
 def ramp_saturation(limits: Limits = Limits(), parameters: HelicopterParameters = HelicopterParameters()) -> Figure:
-    """Fig. 7: the saturation function (34), for its bounds (33) at hover."""
+    """Fig. 7: saturation function (34) for its bounds (33) at hover."""
     f = thrust_bounds(limits, parameters)
     low, high = psi2_bounds(ddy2_bounds(np.zeros(6), f, parameters), psi1(0.0, limits.pitch), 0.0)
     v = 2.0 * np.linspace(low, high, 401)
@@ -196,7 +196,7 @@ def ramp_saturation(limits: Limits = Limits(), parameters: HelicopterParameters 
 
 @styled
 def gains(gains: Gains) -> Figure:
-    """Fig. 9: the feedback gains (51) over time, first row above, second row below, each line named at its end."""
+    """Fig. 9: feedback gains (51) over time: first row above, second row below."""
     figure = Figure(figsize=(7.2, 5.2))
     panels = columns_of_panels(figure, 2, 1)[:, 0]
     for row, axes in enumerate(panels):
@@ -211,7 +211,7 @@ def gains(gains: Gains) -> Figure:
 
 @styled
 def angles(reference: Trajectory, flights: Mapping[str, Trajectory], title: str) -> Figure:
-    """Fig. 10: planned and flown angles, and beside them the tracking errors."""
+    """Fig. 10: planned and flown angles, with the tracking errors in a second column."""
     figure = Figure(figsize=(9.0, 6.4))
     for (left, right), quantity in zip(columns_of_panels(figure, 3, 2), (TRAVEL, ELEVATION, PITCH)):
         draw(left, quantity, reference, flights)
@@ -222,7 +222,7 @@ def angles(reference: Trajectory, flights: Mapping[str, Trajectory], title: str)
         if offsets - {"+0", "-0"} and len(offsets) == 1:
             note(right, f"start {offsets.pop()}\N{DEGREE SIGN} off the plan")
         right.set_ylabel(f"error of {quantity.name}\n({quantity.unit})")
-    figure.suptitle(title, parse_math=False)  # names of files are in it
+    figure.suptitle(title, parse_math=False)  # it contains file names
     finish(figure)
     return figure
 
@@ -233,18 +233,18 @@ def voltages(reference: Trajectory, flights: Mapping[str, Trajectory], title: st
     figure = Figure(figsize=(7.2, 5.2))
     for axes, quantity in zip(columns_of_panels(figure, 2, 1)[:, 0], (FRONT, BACK)):
         draw(axes, quantity, reference, flights)
-    figure.suptitle(title, parse_math=False)  # names of files are in it
+    figure.suptitle(title, parse_math=False)  # it contains file names
     finish(figure)
     return figure
 
 
 @styled
 def overview(reference: Trajectory, flights: Mapping[str, Trajectory], title: str) -> Figure:
-    """Angles and voltages in one wide picture; without flights, those of the plan."""
+    """Angles and voltages in one wide figure; without flights, those of the plan."""
     figure = Figure(figsize=(11.0, 5.2))
     for axes, quantity in zip(rows_of_panels(figure, 3, 2), (TRAVEL, ELEVATION, PITCH, FRONT, BACK)):
         draw(axes, quantity, reference, flights)
-    figure.suptitle(title, parse_math=False)  # names of files are in it
+    figure.suptitle(title, parse_math=False)  # it contains file names
     finish(figure)
     return figure
 
@@ -253,8 +253,8 @@ def overview(reference: Trajectory, flights: Mapping[str, Trajectory], title: st
 def save(figure: Figure, path: str | os.PathLike, columns: int = 0) -> None:
     """Write a figure to a .png, .pdf or .svg file, atomically.
 
-    For print, `columns` makes it as wide as one or two columns of a journal; 0 leaves it as it is. The same figure
-    gives the same bytes.
+    For print, `columns` = 1 or 2 sets the width to as many columns of a journal; 0 leaves the size unchanged. Equal
+    figures give equal bytes.
     """
     kind = Path(path).suffix[1:]
     if kind not in FORMATS:
@@ -265,7 +265,7 @@ def save(figure: Figure, path: str | os.PathLike, columns: int = 0) -> None:
         width, height = figure.get_size_inches()
         print_width = COLUMN_WIDTHS[columns]
         figure.set_size_inches(print_width, print_width * height / width * max(1.0, TALLER[columns] * width))
-        for legend in figure.legends:  # in as many rows as the width takes
+        for legend in figure.legends:  # as many rows as the width requires
             handles: Any = legend.legend_handles
             labels = [text.get_text() for text in legend.get_texts()]
             legend.remove()
@@ -273,7 +273,7 @@ def save(figure: Figure, path: str | os.PathLike, columns: int = 0) -> None:
             figure.legend(handles, labels, loc="outside lower center", ncols=ncols)
         for text in figure.findobj(Text):
             text.set_fontsize(min(text.get_fontsize(), FONT_SIZES[columns]))
-    # fonts stay text in .svg and .pdf; no dates, no random names
+    # Text stays text in .svg and .pdf; without dates and random names, equal figures give equal bytes.
     with (
         rc_context({"svg.fonttype": "none", "svg.hashsalt": "heli_gym", "pdf.fonttype": 42}),
         atomic_write(path) as file,
@@ -289,7 +289,7 @@ def single_panel(xlabel: str, ylabel: str) -> tuple[Figure, Axes]:
 
 
 def rows_of_panels(figure: Figure, *counts: int) -> list[Axes]:
-    """Panels over time in rows of these lengths, all rows equally wide."""
+    """Add rows of panels over time, with given counts and equal total width."""
     columns = math.lcm(*counts)
     grid = figure.add_gridspec(len(counts), columns)
     panels = []
@@ -301,7 +301,7 @@ def rows_of_panels(figure: Figure, *counts: int) -> list[Axes]:
 
 
 def columns_of_panels(figure: Figure, rows: int, columns: int) -> np.ndarray:
-    """Panels (rows, columns) over the same time."""
+    """Add panels (rows, columns) with a common time axis."""
     panels = figure.subplots(rows, columns, sharex=True, squeeze=False)
     for axes in panels[-1]:
         axes.set_xlabel("time (s)")
@@ -309,7 +309,7 @@ def columns_of_panels(figure: Figure, rows: int, columns: int) -> np.ndarray:
 
 
 def draw(axes: Axes, quantity: Quantity, reference: Trajectory, flights: Mapping[str, Trajectory]) -> None:
-    """A quantity flown and planned, and its limits."""
+    """Draw a quantity as flown and as planned, with its limits."""
     drawstyle = "steps-post" if quantity.held else "default"
     for (name, flight), colour in zip(flights.items(), colours_of([*flights])):
         axes.plot(flight.t, quantity.values(flight), color=colour, drawstyle=drawstyle, label=label_of(name).text)
@@ -317,9 +317,9 @@ def draw(axes: Axes, quantity: Quantity, reference: Trajectory, flights: Mapping
     axes.plot(reference.t, quantity.values(reference), linestyle=linestyle, label="plan", **PLAN)
     if quantity.limits:
         draw_limits(axes.axhline, quantity.limits(reference.limits), limits_label(reference.limits))
-        note(axes, reached(quantity, reference, flights))
+        note(axes, range_text(quantity, reference, flights))
     low, high = axes.get_ylim()
-    least = max(1.0 - 0.5 * (high - low), 0.0)  # rounding errors of a constant do not fill the panel
+    least = max(1.0 - 0.5 * (high - low), 0.0)  # otherwise rounding errors of a constant fill the panel
     axes.set(
         ylabel=f"{quantity.name}\n({quantity.unit})",
         xlim=(0.0, reference.duration),
@@ -328,14 +328,14 @@ def draw(axes: Axes, quantity: Quantity, reference: Trajectory, flights: Mapping
 
 
 def draw_limits(line: Callable[..., Any], limits: tuple[float, float], label: str | None = None) -> None:
-    """Both limits, by an axes' axhline or axvline."""
+    """Draw both limits with an axes' axhline or axvline."""
     low, high = limits
     line(low, label=label, **LIMIT)
     line(high, **LIMIT)
 
 
 def draw_corners(axes: Axes, corners: np.ndarray, hover: tuple[float, float]) -> None:
-    """The area between the corners (2, 4), which are lettered, so that they are found again in the other plane."""
+    """Fill the area between corners (2, 4); letters A to D identify the same corner in the other plane."""
     axes.fill(*corners, facecolor=SKY, alpha=0.2, edgecolor="none")
     centre = corners.mean(axis=1)
     for letter, corner in zip("ABCD", corners.T):
@@ -348,7 +348,7 @@ def draw_corners(axes: Axes, corners: np.ndarray, hover: tuple[float, float]) ->
 def draw_saturation(
     axes: Axes, x: np.ndarray, y: np.ndarray, bounds: tuple[float, float], symbol: str, unit: str
 ) -> None:
-    """A saturation function, and its bounds with their values."""
+    """Draw a saturation function, and its bounds with their values."""
     axes.plot(x, y, color=BLUE)
     draw_limits(axes.axhline, bounds)
     for sign, bound, offset in zip("-+", bounds, (8.0, -8.0)):
@@ -357,7 +357,7 @@ def draw_saturation(
 
 
 def name_limits(second: Callable[..., Any], side: str, symbol: str, limits: tuple[float, float]) -> None:
-    """The symbols of both limits, by an axes' secondary_xaxis or secondary_yaxis."""
+    """Write the symbols of both limits on an axes' secondary_xaxis or secondary_yaxis."""
     axis = second(side)
     axis.set_ticks(limits, labels=[f"${symbol}^-$", f"${symbol}^+$"])
     axis.tick_params(length=0.0, labelcolor=RED)
@@ -365,25 +365,25 @@ def name_limits(second: Callable[..., Any], side: str, symbol: str, limits: tupl
 
 
 def annotate(axes: Axes, text: str, point: Any, offset: Any, color: str = INK) -> None:
-    """Text at an offset in points from a point."""
+    """Write text at an offset in points from a point."""
     axes.annotate(text, point, offset, textcoords="offset points", ha="center", va="center", color=color)
 
 
 def name_lines(axes: Axes) -> None:
-    """The label of each line at its right end, pushed apart where they would overlap."""
+    """Write each line's label at its right end; labels that would overlap are moved apart."""
     low, high = axes.get_ylim()
     ends = sorted(((float(np.asarray(line.get_ydata())[-1]), line) for line in axes.lines), key=lambda end: end[0])
-    places = np.array([(y - low) / (high - low) for y, _ in ends])
+    heights = np.array([(y - low) / (high - low) for y, _ in ends])
     for _ in range(100):
-        for k in range(len(places) - 1):
-            lacking = 0.09 - (places[k + 1] - places[k])
-            if lacking > 0.0:
-                places[k : k + 2] += (-0.5 * lacking, 0.5 * lacking)
-    for (y, line), place in zip(ends, places):
+        for k in range(len(heights) - 1):
+            overlap = 0.09 - (heights[k + 1] - heights[k])
+            if overlap > 0.0:
+                heights[k : k + 2] += (-0.5 * overlap, 0.5 * overlap)
+    for (y, line), height in zip(ends, heights):
         axes.annotate(
             str(line.get_label()),
             (1.0, (y - low) / (high - low)),
-            (1.03, place),
+            (1.03, height),
             xycoords="axes fraction",
             textcoords="axes fraction",
             va="center",
@@ -393,12 +393,12 @@ def name_lines(axes: Axes) -> None:
 
 
 def note(axes: Axes, text: str) -> None:
-    """Small print above a panel."""
+    """Write a note in small print above a panel."""
     axes.set_title(text.replace("-", "\N{MINUS SIGN}"), loc="right", fontsize="small", color=NOTE)
 
 
 def finish(figure: Figure) -> None:
-    """Aligned labels, round ticks, and one legend for all panels."""
+    """Align labels, round ticks and add one legend for all panels."""
     figure.align_ylabels()
     entries: dict[str, Artist] = {}
     for axes in figure.axes:
@@ -414,7 +414,7 @@ def limits_label(limits: Limits) -> str:
 
 
 def paper_says(value: str, limits: Limits) -> str:
-    """The paper's number beside ours; other limits than (9) have none."""
+    """Text with the paper's number, or no text for limits other than (9)."""
     return f" (paper: {value})" if limits == Limits() else ""
 
 
@@ -422,8 +422,8 @@ def v2_label(limits: Limits, f: tuple[float, float]) -> str:
     return f"$v_2^\\pm$ = ±{v2_bounds(f)[1]:.3f} N{paper_says(f'±{PAPER_V2} N', limits)}"
 
 
-def reached(quantity: Quantity, reference: Trajectory, flights: Mapping[str, Trajectory]) -> str:
-    """The range that was flown, or without flights the planned one, beside the limits."""
+def range_text(quantity: Quantity, reference: Trajectory, flights: Mapping[str, Trajectory]) -> str:
+    """Text with the flown range, or the planned one without flights, and the limits."""
     assert quantity.limits
     values = np.concatenate([quantity.values(flight) for flight in flights.values() or (reference,)])
     low, high = quantity.limits(reference.limits)
@@ -431,7 +431,7 @@ def reached(quantity: Quantity, reference: Trajectory, flights: Mapping[str, Tra
 
 
 def tracking_error(quantity: Quantity, reference: Trajectory, flight: Trajectory) -> np.ndarray:
-    """Flown minus planned at the times of the flight."""
+    """Flown minus planned values (K,) at the times of the flight."""
     planned = Trajectory(flight.t, *reference(flight.t))
     return quantity.values(flight) - quantity.values(planned)
 

@@ -1,15 +1,15 @@
-"""One name, one colour and one line of prerequisites for each policy, the same in every table, picture and page."""
+"""Name, colour and prerequisites of each policy, common to all tables, figures and pages."""
 
 from typing import NamedTuple
 
-# The palette of Okabe and Ito and three tones more: colour-blind readers can tell them apart. One colour per family.
+# Palette of Okabe and Ito and three more tones, distinct for colour-blind readers. One colour per family.
 BLUE, GREEN, PINK, ORANGE, SKY, RED = "#0072B2", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#D55E00"
 VIOLET, BROWN, GREY = "#7A5195", "#8C6D31", "#6B7280"
 SPARE = ("#5B3A29", "#1B6F8A", "#9C2C5A", "#4F7F1F", "#7F5F00", "#34508F", "#8F3F8F", "#006D5B")
 
 
 class Label(NamedTuple):
-    """How a policy is shown, and what it must know apart from the plan."""
+    """Text and colour of a policy, and its required knowledge apart from the plan."""
 
     text: str
     colour: str
@@ -40,9 +40,9 @@ LABELS = {
 
 
 def label_of(name: str) -> Label:
-    """The label of a policy by its name; tuned weights are added in words, other names stand for themselves.
+    """Label of a policy by its name; the text mentions tuned weights, and an unknown name is its own text.
 
-    A name that is not in the table has one of the spare colours, always the same.
+    An unknown name always has the same one of the spare colours.
     """
     kind, _, plant = name.partition("@")
     if kind in LABELS:
@@ -52,7 +52,7 @@ def label_of(name: str) -> Label:
 
 
 def colours_of(names: tuple[str, ...] | list[str]) -> list[str]:
-    """The colours of policies that are shown together: their own, or where two would be alike, a spare one."""
+    """Distinct colours of policies in one figure: their own, or a spare one if two would be equal."""
     colours: list[str] = []
     for name in names:
         own = label_of(name).colour

@@ -1,7 +1,7 @@
-"""Policies x plants x maneuvers x draws, flown by several processes into one folder, and what follows from the rows.
+"""Leaderboards: policies x plants x maneuvers x draws, flown by several processes into one folder, and standings.
 
-Every flight is a line of a file `flights/POLICY--PLANT--MANEUVER.jsonl`, which only one process appends to. After any
-kill, the batches that are not whole are flown again, and no others; nothing is counted twice.
+Every flight is a line of a file `flights/POLICY--PLANT--MANEUVER.jsonl`; only one process appends to it. After a kill,
+only the incomplete batches are flown again, and no flight counts twice.
 """
 
 import contextlib
@@ -41,13 +41,13 @@ from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.storage import atomic_write, try_lock
 from heli_gym.trajectory import Trajectory
 
-RETRIES = 3  # of a pool of processes in which one was killed
+RETRIES = 3  # new pools after a process was killed
 TIMED_STEPS = 100
 SHOWN = ("rms_error_deg", "rms_travel_deg", "rms_elevation_deg", "cost")
 
 
 class Condition(NamedTuple):
-    """What is flown in all episodes of a table."""
+    """Plant and maneuver of a table."""
 
     plant: str
     reference: str
@@ -57,16 +57,16 @@ class Condition(NamedTuple):
 
 
 class Batch(NamedTuple):
-    """Episodes of a policy that a process flies without a pause."""
+    """Episodes of a policy that one process flies together."""
 
     policy: str
     condition: Condition
-    seed: int  # of the first
+    seed: int  # of the first episode
     episodes: int
 
 
 class Settings(NamedTuple):
-    """What all flights of a leaderboard have in common."""
+    """Common settings of all flights in a leaderboard."""
 
     seed: int
     episodes: int
@@ -76,7 +76,7 @@ class Settings(NamedTuple):
 
 
 def policy_on(name: str, plant: str) -> str:
-    """The name with @PLANT replaced by the plant, or by nothing where no weights are stored for it."""
+    """Policy name with @PLANT replaced by the plant, or removed if no weights are stored for it."""
     kind, _, _ = name.partition("@PLANT")
     if kind == name:
         return name
@@ -87,7 +87,7 @@ def policy_on(name: str, plant: str) -> str:
 
 
 def batches(policies: Sequence[str], conditions: Sequence[Condition], settings: Settings) -> list[Batch]:
-    """All that is to be flown, the first batch of every policy first, so that what cannot be flown shows soon."""
+    """All batches, with the first batch of every policy at the front, so that errors appear early."""
     pairs = [
         (name, condition)
         for condition in conditions
@@ -105,7 +105,7 @@ def batches(policies: Sequence[str], conditions: Sequence[Condition], settings: 
 
 @lru_cache(maxsize=64)
 def pilot_for(policy: str, condition: Condition, control_period: float) -> Any:
-    """The policy, made once in each process."""
+    """Pilot for a policy and a condition, made once in each process."""
     settings = Settings(0, 1, 1, control_period, 0.0)
     env = Heli3DOFEnv(**env_settings(condition, settings))
     return make_pilot(policy, env.reference, control_period, env.voltage_limits)
@@ -113,12 +113,12 @@ def pilot_for(policy: str, condition: Condition, control_period: float) -> Any:
 
 @lru_cache
 def reference_on(reference: str, rig: str) -> Trajectory:
-    """The maneuver for a rig, planned once in each process where the packaged one is for another rig."""
+    """Reference for a rig; if the packaged one is for another rig, each process plans it once."""
     return reference_for(reference, rig)
 
 
 def env_settings(condition: Condition, settings: Settings) -> dict[str, Any]:
-    """Arguments of the environments of a condition."""
+    """Arguments of the environment for a condition."""
     return {
         "plant": find_condition(condition.plant),
         "reference": reference_on(condition.reference, rig_of(condition.plant)),
@@ -129,7 +129,7 @@ def env_settings(condition: Condition, settings: Settings) -> dict[str, Any]:
 
 
 def fly_batch(batch: Batch, settings: Settings) -> list[dict[str, Any]]:
-    """The rows of a batch."""
+    """Fly a batch and return its rows."""
     pilot = pilot_for(batch.policy, batch.condition, settings.control_period)
     rows = score_episodes(pilot, env_settings(batch.condition, settings), batch.seed, batch.episodes)
     names = {"policy": batch.policy, **batch.condition._asdict()}
@@ -137,7 +137,7 @@ def fly_batch(batch: Batch, settings: Settings) -> list[dict[str, Any]]:
 
 
 def microseconds_per_step(policy: str, condition: Condition, settings: Settings) -> float:
-    """Median time in µs in which the policy decides, for one helicopter, on this machine."""
+    """Median time in µs of a policy's step for one helicopter on this machine."""
     pilot = pilot_for(policy, condition, settings.control_period)
     env = Heli3DOFEnv(**env_settings(condition, settings))
     observation, info = env.reset(seed=0)
@@ -156,8 +156,8 @@ def microseconds_per_step(policy: str, condition: Condition, settings: Settings)
     return 1e6 * float(np.median(seconds))
 
 
-def begin_worker() -> None:
-    """Leave Ctrl-C to the process that started this one, and end with it."""
+def init_worker() -> None:
+    """Set up a worker: ignore Ctrl-C, which the parent handles, and end with the parent."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
     if parent is not None:
@@ -173,7 +173,7 @@ def begin_worker() -> None:
 
 
 class Ledger:
-    """The rows of a leaderboard in a folder; while it is open, no other process may write there."""
+    """Stored rows of a leaderboard in a folder; an open ledger locks the folder against other processes."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -184,53 +184,53 @@ class Ledger:
             raise ValueError(f"out = {str(folder)!r}: another heli-leaderboard is flying into this folder")
 
     def close(self) -> None:
-        """Give the folder free."""
+        """Release the lock of the folder."""
         self.lock.close()
 
     def path(self, policy: str, condition: Condition) -> Path:
-        """The file of a policy's flights, its name readable and unique."""
+        """File of a policy's flights, with a readable and unique name."""
         name = "--".join((policy, *condition))
         digest = hashlib.sha256(name.encode()).hexdigest()[:8]
         readable = re.sub(r"[^\w.+@-]+", "_", name)[-120:]
         return self.folder / "flights" / f"{readable}--{digest}.jsonl"
 
     def read(self, policy: str, condition: Condition) -> dict[int, dict[str, Any]]:
-        """The whole rows in a file, by seed."""
+        """Complete rows in a file, by seed."""
         path = self.path(policy, condition)
         rows: dict[int, dict[str, Any]] = {}
         if path.is_file():
             for line in path.read_bytes().split(b"\n"):
-                with contextlib.suppress(ValueError, KeyError, TypeError):  # what a kill cut off
+                with contextlib.suppress(ValueError, KeyError, TypeError):  # a line that a kill cut off
                     row = json.loads(line)
                     rows.setdefault(int(row["seed"]), row)
         return rows
 
     def keep_whole(self, wanted: Sequence[Batch]) -> list[Batch]:
-        """The batches that have still to be flown; of those that are not whole, nothing is left in the files."""
+        """Remove the rows of incomplete batches from the files, and return the batches still to fly."""
         missing = []
         for policy, condition in dict.fromkeys((batch.policy, batch.condition) for batch in wanted):
             own = [batch for batch in wanted if (batch.policy, batch.condition) == (policy, condition)]
             rows = self.read(policy, condition)
-            lacking = [b for b in own if any(b.seed + k not in rows for k in range(b.episodes))]
-            missing += lacking
-            partial = {batch.seed + k for batch in lacking for k in range(batch.episodes)}
+            incomplete = [b for b in own if any(b.seed + k not in rows for k in range(b.episodes))]
+            missing += incomplete
+            partial = {batch.seed + k for batch in incomplete for k in range(batch.episodes)}
             path = self.path(policy, condition)
-            kept = b"".join(line_of(row) for seed, row in rows.items() if seed not in partial)
-            if path.is_file() and path.read_bytes() != kept:
+            complete = b"".join(line_of(row) for seed, row in rows.items() if seed not in partial)
+            if path.is_file() and path.read_bytes() != complete:
                 with atomic_write(path) as file:
-                    file.write(kept)
+                    file.write(complete)
         order = {batch: k for k, batch in enumerate(wanted)}
         return sorted(missing, key=order.__getitem__)
 
     def append(self, batch: Batch, rows: Sequence[dict[str, Any]]) -> None:
-        """Store the rows of a batch."""
+        """Append the rows of a batch to its file, and flush it to the disk."""
         with open(self.path(batch.policy, batch.condition), "ab") as file:
             file.write(b"".join(map(line_of, rows)))
             file.flush()
             os.fsync(file.fileno())
 
     def rows(self, wanted: Sequence[Batch]) -> list[dict[str, Any]]:
-        """All rows of what was to be flown, in order."""
+        """Stored rows of batches, in order."""
         found = []
         for policy, condition in dict.fromkeys((batch.policy, batch.condition) for batch in wanted):
             seeds = {
@@ -242,7 +242,7 @@ class Ledger:
 
 
 def line_of(row: dict[str, Any]) -> bytes:
-    """A row as one line of JSON."""
+    """Encode a row as one line of JSON."""
     return json.dumps(row, allow_nan=False).encode() + b"\n"
 
 
@@ -250,9 +250,9 @@ def line_of(row: dict[str, Any]) -> bytes:
 
 
 def fly_all(missing: Sequence[Batch], settings: Settings, ledger: Ledger, workers: int) -> Iterator[Batch]:
-    """Fly and store the batches, each yielded when its rows are stored.
+    """Fly and store batches, and yield each batch once its rows are stored.
 
-    When interrupted, what is in the air is brought home and stored. Raises RuntimeError if processes keep dying.
+    An interrupt lets running batches finish and stores them. Raises RuntimeError if workers are killed repeatedly.
     """
     if workers == 1:
         for batch in missing:
@@ -261,7 +261,7 @@ def fly_all(missing: Sequence[Batch], settings: Settings, ledger: Ledger, worker
         return
     waiting, failures = list(missing), 0
     while waiting:
-        pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), begin_worker)
+        pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), init_worker)
         running: dict[Future, Batch] = {}
         try:
             while waiting or running:
@@ -273,7 +273,7 @@ def fly_all(missing: Sequence[Batch], settings: Settings, ledger: Ledger, worker
                     rows = future.result()
                     ledger.append(running[future], rows)
                     yield running.pop(future)
-        except BrokenProcessPool as error:  # a process was killed: its batch, and those beside it, are flown again
+        except BrokenProcessPool as error:  # after a kill, all running batches are flown again
             failures += 1
             if failures > RETRIES:
                 raise RuntimeError("processes keep dying; --resume goes on") from error
@@ -289,7 +289,7 @@ def fly_all(missing: Sequence[Batch], settings: Settings, ledger: Ledger, worker
 
 
 def write_tables(folder: Path, rows: list[dict[str, Any]]) -> list[Path]:
-    """Every flight's row as flights.csv and, with pyarrow, flights.parquet."""
+    """Write all rows to flights.csv and, with pyarrow, flights.parquet; return the paths."""
     paths = [folder / "flights.csv"]
     FlightTable(rows).to_csv(paths[0])
     try:
@@ -305,10 +305,10 @@ def write_tables(folder: Path, rows: list[dict[str, Any]]) -> list[Path]:
 
 
 def standings(rows: Sequence[dict[str, Any]], against: str) -> list[dict[str, Any]]:
-    """One entry per policy of flights of one condition on the same draws, the best first.
+    """One entry per policy, the best first, from flights of one condition on the same draws.
 
-    Policies rank by the interquartile mean of the RMS distance from the reference in travel and elevation, a crash
-    counting as the worst flight; the interval of a rank is that of paired resamples of the draws.
+    The rank follows the interquartile mean of the RMS distance from the reference in travel and elevation; a crash
+    counts as the worst flight. The interval of a rank comes from paired resamples of the draws.
     """
     by_policy: dict[str, dict[int, dict[str, Any]]] = {}
     for row in rows:
@@ -323,8 +323,8 @@ def standings(rows: Sequence[dict[str, Any]], against: str) -> list[dict[str, An
         for key in (*SHOWN, "success", "within_limits")
     }
     ranked = {key: np.array([rank_crashes_last(row, c) for row, c in zip(values[key], crashed)]) for key in SHOWN}
-    resampled = {key: bootstrapped_means(ranked[key]) for key in SHOWN}
-    orders = ranks(resampled["rms_error_deg"])
+    bootstrapped = {key: bootstrapped_means(ranked[key]) for key in SHOWN}
+    orders = ranks(bootstrapped["rms_error_deg"])
     rank = ranks(np.array([interquartile_mean(row) for row in ranked["rms_error_deg"]]))
     paper = names.index(against) if against in names else None
     table = []
@@ -332,7 +332,7 @@ def standings(rows: Sequence[dict[str, Any]], against: str) -> list[dict[str, An
         entry: dict[str, Any] = {"policy": name, "label": label_of(name).text, "draws": len(common)}
         entry["rank"] = {"value": float(rank[k]), "interval": interval(orders[:, k])}
         for key in SHOWN:
-            entry[key] = {"iqm": interquartile_mean(ranked[key][k]), "interval": interval(resampled[key][:, k])}
+            entry[key] = {"iqm": interquartile_mean(ranked[key][k]), "interval": interval(bootstrapped[key][:, k])}
         entry |= {key: float(values[key][k].mean()) for key in ("success", "within_limits")}
         entry["crashed"] = float(crashed[k].mean())
         entry["probability_of_improvement"] = (
@@ -352,9 +352,9 @@ def standings(rows: Sequence[dict[str, Any]], against: str) -> list[dict[str, An
 
 
 def flyable(wanted: Sequence[Batch], settings: Settings) -> tuple[list[Batch], list[str]]:
-    """The batches that can be flown, and why others cannot: networks that were trained for another rig.
+    """Batches that can be flown, and reasons why others cannot: networks for another rig.
 
-    Every policy is made once in this process, so that what cannot be made is named before the first flight.
+    Every policy is made once in this process, so that its errors appear before the first flight.
     """
     refused: dict[tuple[str, Condition], str] = {}
     for policy, condition in dict.fromkeys((batch.policy, batch.condition) for batch in wanted):

@@ -16,7 +16,7 @@ SATURATED = {"color": RED, "alpha": 0.15, "linewidth": 0.0}
 
 @styled
 def flight_log(log: FlightLog, plan: Trajectory | None = None, limits: tuple[float, float] = (-24.0, 24.0)) -> Figure:
-    """Angles with their references or a plan, smoothed rates, and voltages of a log; on the table grey."""
+    """Angles with references or a plan, smoothed rates, and voltages of a log; parts on the table are grey."""
     figure = Figure(figsize=(11.0, 8.4))
     panels = columns_of_panels(figure, 4, 2)
     rates = np.degrees(log.rates())
@@ -59,7 +59,7 @@ def flight_log(log: FlightLog, plan: Trajectory | None = None, limits: tuple[flo
 
 
 def runs(mask: np.ndarray) -> Iterator[tuple[int, int]]:
-    """First and last index of each run of true values."""
+    """Yield first and last index of each run of true values in a mask."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], mask, [False])).astype(int)))
     for first, after in zip(edges[::2], edges[1::2]):
         yield int(first), min(int(after), len(mask) - 1)
@@ -67,7 +67,7 @@ def runs(mask: np.ndarray) -> Iterator[tuple[int, int]]:
 
 @styled
 def predictions(filtered: FilteredLog, fit_share: float, horizon: float = 1.0) -> Figure:
-    """Measured angles, those predicted a horizon in s before, and the errors; what was fitted is grey."""
+    """Measured angles, predictions a horizon in s ahead, and their errors; the fitted part is grey."""
     log = filtered.log
     figure = Figure(figsize=(11.0, 6.4))
     n = round(horizon / log.sample_time)

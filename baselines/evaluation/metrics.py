@@ -1,4 +1,4 @@
-"""What a flight is judged by."""
+"""Metrics of a flight."""
 
 from typing import NamedTuple
 
@@ -8,22 +8,22 @@ from heli_gym.parameters import PITCH_STOP, Limits
 from heli_gym.task import control_grid, cost, excess, reward, succeeded
 from heli_gym.trajectory import Trajectory
 
-AT_LIMIT = 1e-6  # V, from the amplifier's limit, which counts as saturated
-ONE = np.radians([2.0, 1.0])  # errors of travel and elevation that halve `tracking_reward`
+AT_LIMIT = 1e-6  # V, distance from the amplifier's limit that counts as saturated
+HALVING_ERROR = np.radians([2.0, 1.0])  # rad, travel and elevation errors that each halve the tracking term
 
 
 class Metrics(NamedTuple):
-    """Of one flight. Errors are (travel, elevation, pitch) in degrees.
+    """Metrics of one flight; errors are (travel, elevation, pitch) in degrees.
 
-    A flight that crashed counts to the end of the maneuver: at its last error, at `crash_cost`, without any reward.
+    A crashed flight counts to the end of the maneuver: with its last error, at `crash_cost`, without reward.
     """
 
     rms_error_deg: tuple[float, float, float]
-    terminal_error_deg: tuple[float, float, float]  # the last ones
+    terminal_error_deg: tuple[float, float, float]  # at the end of the flight
     peak_pitch_deg: float
-    saturated: float  # share of the time flown in which a voltage is at a limit of the amplifier
-    cost: float  # time integral of the excess over the planned limits, in widths of these times seconds
-    episode_return: float  # seconds flown on the reference, as the environment's reward counts them
+    saturated: float  # share of the flight time with a voltage at a limit of the amplifier
+    cost: float  # s, time integral of the excess over the planned limits, in limit widths
+    episode_return: float  # s flown on the reference, by the environment's reward
     flown: float  # s
     success: bool
     crashed: bool  # whether the pitch left the plant's limit
@@ -35,18 +35,18 @@ def flight_metrics(
     voltage_limits: tuple[float, float],
     pitch_limit: float = PITCH_STOP,
 ) -> Metrics:
-    """The metrics of a flight, as `fly` returns it, along its reference.
+    """Metrics of a flight from `fly` along its reference.
 
     Args:
-        flight: the true states and the voltages.
-        reference: what was to be flown.
-        voltage_limits: what the amplifier gives, (min, max) V.
-        pitch_limit: rad, beyond which a flight ends.
+        flight: true states and voltages.
+        reference: trajectory to track.
+        voltage_limits: (min, max) in V of the amplifier.
+        pitch_limit: rad, pitch at which a flight ends.
     """
     control_period = flight.t[1]
     x_ref, u_ref = control_grid(reference, control_period)
     steps = len(flight.t) - 1
-    missing = x_ref.shape[1] - 1 - steps  # control periods that a flight which ended early has left
+    missing = x_ref.shape[1] - 1 - steps  # control periods after an early end
     error = flight.x - x_ref[:, : steps + 1]
     angles_deg = np.degrees(error[0::2])
     u = flight.u[:, :-1]
@@ -71,20 +71,20 @@ def flight_metrics(
 
 
 def crash_cost(pitch: float, voltage_limits: tuple[float, float], limits: Limits) -> float:
-    """Cost per second, to the end of the maneuver, of a flight that crashed at this pitch in rad.
+    """Cost per second, until the end of the maneuver, of a flight that crashed at a pitch in rad.
 
-    That of this pitch with both voltages at the amplifier's limit that is farther outside: while it flies, no
-    helicopter is charged more, because its pitch has not yet left the plant's limit. So ending early never pays.
+    The cost assumes this pitch and both voltages at the worse limit of the amplifier. A flying helicopter never costs
+    more, because its pitch is within the plant's limit; therefore an early end never pays.
     """
     worst = max(float(excess(u, limits.u_min, limits.u_max)) for u in voltage_limits)
     return float(excess(np.array([pitch, -pitch]), limits.pitch_min, limits.pitch_max).max()) + 2.0 * worst
 
 
 def tracking_reward(error: np.ndarray, cost: np.ndarray, rewards: np.ndarray) -> np.ndarray:
-    """One second's reward (N,) at errors (2, N) of travel and elevation in rad, and a cost (N,) per second.
+    """Reward (N,) per second for travel and elevation errors (2, N) in rad and a cost (N,) per second.
 
-    With a share of the environment's rewards (N,), which also ask for pitch, rates and effort. It is negative where the
-    cost is large: a flight that ends early is charged `crash_cost` to the end of the maneuver.
+    A quarter comes from the environment's rewards (N,), which include pitch, rates and effort. A large cost makes the
+    reward negative; therefore a flight that ends early pays `crash_cost` until the end of the maneuver.
     """
-    tracking = 1.0 / (1.0 + ((error / ONE[:, None]) ** 2).sum(axis=0))
+    tracking = 1.0 / (1.0 + ((error / HALVING_ERROR[:, None]) ** 2).sum(axis=0))
     return 0.75 * tracking + 0.25 * rewards - cost

@@ -1,6 +1,6 @@
-"""Pages that open from a file, without network: the report of an evaluation; `commands.demo` has the live page.
+"""Web pages that open from a file, without network: the report of an evaluation (`commands.demo` has the live page).
 
-The program in them is TypeScript, in web/; `npm ci && npm run build` there bundles it into baselines/evaluation/web/.
+Their program is TypeScript in web/; `npm ci && npm run build` there bundles it into baselines/evaluation/web/.
 """
 
 import base64
@@ -25,19 +25,19 @@ from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
 WEB = Path(str(files("heli_gym.baselines.evaluation") / "web"))
-SAMPLE_PERIOD = 0.02  # s, at least, between the samples of a flight in the report
-DECIMALS = 6  # of rad, rad/s, V and gains
+SAMPLE_PERIOD = 0.02  # s, least time between samples of a flight in the report
+DECIMALS = 6  # for rad, rad/s, V and gains
 
 
 def check_page(name: str, path: str | os.PathLike) -> None:
-    """Raises ValueError unless a page can be written to the path."""
+    """Raise ValueError unless the path is that of an .html file."""
     if Path(path).suffix != ".html" or Path(path).is_dir():
         raise ValueError(f"{name} = {str(path)!r}: must end in .html")
     check_folder(name, Path(path).parent)
 
 
 def write_page(path: str | os.PathLike, kind: str, title: str, data: Mapping[str, Any]) -> None:
-    """One .html file with the program, its style and its data in it; `kind` is "live" or "report".
+    """Write one .html file with program, style and data; `kind` is "live" or "report".
 
     Raises ValueError for a path that is not that of an .html file.
     """
@@ -49,9 +49,9 @@ def write_page(path: str | os.PathLike, kind: str, title: str, data: Mapping[str
         "data": json.dumps(data, separators=(",", ":"), allow_nan=False),
         "script": (WEB / "heli.js").read_text(),
     }
-    # Only the program itself may run: whatever script a name might smuggle in has another hash.
+    # The hash permits this program only, not a script in a user's text.
     parts["hash"] = base64.b64encode(sha256(parts["script"].encode()).digest()).decode()
-    # No text of a user can end the element that it stands in.
+    # Escaped, a user's text cannot close its element.
     parts["title"] = parts["title"].replace("&", "&amp;").replace("<", "&lt;")
     parts["data"] = parts["data"].replace("<", "\\u003c")
     page = re.sub("<!--([a-z]+)-->", lambda place: parts[place[1]], (WEB / "page.html").read_text())
@@ -60,12 +60,12 @@ def write_page(path: str | os.PathLike, kind: str, title: str, data: Mapping[str
 
 
 class Shown(NamedTuple):
-    """Flights from one start that the report shows together."""
+    """Flights from one start, shown together in the report."""
 
     label: str
     flights: Mapping[str, Trajectory]  # by policy
-    draw: Sequence[tuple[str, str]] = ()  # parameters of the plant's draw: name and value with its unit
-    errors: Mapping[str, float] = {}  # by policy, in deg: where these flights are in the histograms
+    draw: Sequence[tuple[str, str]] = ()  # name and value with unit of the draw's parameters
+    errors: Mapping[str, float] = {}  # deg, by policy: positions of these flights in the histograms
 
 
 def write_report(
@@ -77,17 +77,17 @@ def write_report(
     errors: Mapping[str, Sequence[float]] | None = None,
     rig: Rig | None = None,
 ) -> None:
-    """The report of an evaluation: its table, its flights in plots and in 3D, and how their errors are distributed.
+    """Write the report of an evaluation: table, flights in plots and in 3D, and histograms of their errors.
 
     Args:
-        path: an .html file.
-        title: what was evaluated.
-        table: "title" and "caption", "columns" (names) and "rows" (their cells, as they are to be shown); the cells
-            under "policy" are names of policies.
-        reference: what was to be flown.
-        shown: the flights, those of the first entry at first. A policy may be missing in some.
-        errors: by policy, of all its episodes: RMS in deg.
-        rig: whose gains, amplifier and body are shown; the reference's by default.
+        path: .html file.
+        title: title of the page.
+        table: "title", "caption", "columns" (names) and "rows" (formatted cells); the cells under "policy" are names
+            of policies.
+        reference: trajectory to track.
+        shown: groups of flights, the initial group first; a policy may be missing in a group.
+        errors: RMS errors in deg of all episodes, by policy.
+        rig: rig of the gains, amplifier and body shown; the reference's by default.
 
     Raises:
         ValueError: if the path is not that of an .html file.
@@ -108,13 +108,13 @@ def write_report(
         "limits": {"u": limits.u, "pitch": limits.pitch},
         "amplifier": rig.voltage_limits,
         "parameters": parameters._asdict(),
-        "rig": drawn_body(rig)._asdict(),
+        "rig": body_of(rig)._asdict(),
     }
     write_page(path, "report", f"heli_gym: {title}", data)
 
 
-def drawn_body(rig: Rig) -> RigidBodyParameters:
-    """Lengths that the replay draws: of the rigid body with the rig's coefficients, or else with the paper's."""
+def body_of(rig: Rig) -> RigidBodyParameters:
+    """Rigid body for the replay, with the rig's coefficients or, without a solution, the paper's."""
     try:
         return solve_rigid_body("A", rig.parameters)
     except ValueError:
@@ -122,7 +122,7 @@ def drawn_body(rig: Rig) -> RigidBodyParameters:
 
 
 def flight_group(group: Shown, reference: Trajectory, policies: Sequence[str]) -> dict[str, Any]:
-    """Flights with the same start and control period, and the reference as they had it, sampled for the page."""
+    """Flights with a common start and control period, and their reference, sampled for the page."""
     control_period = float(next(iter(group.flights.values())).t[1])
     x_ref, u_ref = control_grid(reference, control_period)
     stride = max(1, round(SAMPLE_PERIOD / control_period))
@@ -149,11 +149,11 @@ def flight_group(group: Shown, reference: Trajectory, policies: Sequence[str]) -
 
 
 def sampled_gains(reference: Trajectory, rig: Rig) -> dict[str, Any]:
-    """The gains (51) along the reference."""
+    """Gains (51) along the reference, sampled for the page."""
     t = np.arange(0.0, reference.duration + 0.5 * SAMPLE_PERIOD, SAMPLE_PERIOD)
     return {"step": SAMPLE_PERIOD, "K": rounded(riccati_gains(reference, rig)(t))}
 
 
 def rounded(values: np.ndarray) -> list:
-    """Values in as few characters as they need."""
+    """Values as nested lists, rounded to DECIMALS to shorten the page."""
     return np.round(values, DECIMALS).tolist()

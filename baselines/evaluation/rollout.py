@@ -1,4 +1,4 @@
-"""One way to fly: any policy in any environment, to a Trajectory; and many flights at once."""
+"""Flights of any policy in any environment, one or many at once, as trajectories."""
 
 from typing import Any
 
@@ -14,24 +14,25 @@ from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
-# rad and rad/s, between references that count as the same: solvers on other machines, and files, round differently
+# rad and rad/s, tolerance for equal references: solvers on other machines, and files, round differently
 SAME_REFERENCE = 1e-3
 
 
 def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str, Any] | None = None) -> Trajectory:
-    """One episode: true states, and voltages as they were asked for within the amplifier's limits.
+    """Fly one episode: true states, and commanded voltages within the amplifier's limits.
 
-    u[:, k] was asked for from t[k] to t[k + 1]; by a plant's delay and lag, its rotors turn at it later.
+    u[:, k] is the command from t[k] to t[k + 1]; the rotors follow with the plant's delay and lag.
 
     Args:
-        env: a Heli3DOF environment, wrapped or not, whose episodes start at the start of the reference.
-        policy: gives voltages for times and measurements; or has a method `act`, from observations (N, D) to actions.
-        seed: of the episode and of the policy's own randomness.
+        env: Heli3DOF environment, wrapped or not, with episodes that start at the start of the reference.
+        policy: function of time and measurement that returns voltages, or an object whose method `act` maps
+            observations (N, D) to actions.
+        seed: of the episode and of the policy's random numbers.
         options: for `env.reset`.
 
     Raises:
-        ValueError: if the environment is another or starts at random times, or if the policy was made for another
-            control period, amplifier or reference.
+        ValueError: for another environment, random start times, or a policy for another control period, amplifier or
+            reference.
     """
     core = env.unwrapped
     if not isinstance(core, Heli3DOFEnv):
@@ -61,16 +62,16 @@ def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str
 
 
 def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Trajectory]:
-    """One episode of each helicopter, all at once: what `fly` returns for the seeds from `seed` on, to rounding.
+    """Fly one episode of each helicopter, all at once; up to rounding, the flights of `fly` for `seed`, `seed` + 1, ...
 
     Args:
-        envs: helicopters with the same reference, which all start at its start.
-        policy: gives voltages (2, N) for a time and measurements (6, N), or has `act` as for `fly`.
-        seed: of the first episode, the others counting on, and of the policy's own randomness.
+        envs: helicopters with a common reference, which all start at its start.
+        policy: function of time and measurements (6, N) that returns voltages (2, N), or an object with `act`.
+        seed: of the first episode and of the policy's random numbers.
 
     Raises:
-        ValueError: if the helicopters follow different references or start at random times, or if the policy was made
-            for another control period, amplifier or reference.
+        ValueError: for different references, random start times, or a policy for another control period, amplifier or
+            reference.
     """
     reference = envs.references[0]
     same = all(other is reference for other in envs.references)
@@ -82,7 +83,7 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
     steps = control_steps(reference.duration, envs.control_period)
     states, voltages = np.empty((steps + 1, 6, envs.num_envs)), np.empty((steps, 2, envs.num_envs))
     states[0] = info["state"].T
-    flown = np.full(envs.num_envs, steps)  # control periods until the end of each flight; what follows is another one
+    flown = np.full(envs.num_envs, steps)  # control periods of each flight, before the next one starts
     for k in range(steps):
         if hasattr(policy, "act"):
             action = policy.act(observation).T
@@ -102,13 +103,13 @@ def fly_many(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> list[Traject
 
 
 def fly_repeatedly(env: gym.Env, base: ModelPolicy, flights: int = 10, seed: int = 0) -> list[Trajectory]:
-    """Flights of one helicopter, from one start, with iterative learning control on top of a model-based policy.
+    """Fly one helicopter repeatedly from one start, with iterative learning control of a model-based policy.
 
     Args:
         env: as for `fly`.
-        base: such as `make_policy("kalman-lqr", reference)`.
-        flights: how many.
-        seed: of each episode: the same draw, start and noise every time.
+        base: model-based policy, for example `make_policy("kalman-lqr", reference)`.
+        flights: number of flights.
+        seed: of every episode: same draw, start and noise.
     """
     policy, flown = LearnedFeedforward(base), []
     for _ in range(flights):
@@ -118,10 +119,10 @@ def fly_repeatedly(env: gym.Env, base: ModelPolicy, flights: int = 10, seed: int
 
 
 def check_policy(policy: Policy, env: Heli3DOFEnv | Heli3DOFVectorEnv, reference: Trajectory) -> None:
-    """Raise ValueError if the policy was made for another control period, amplifier or reference than these.
+    """Raise ValueError for a policy with another control period, amplifier or reference.
 
-    A policy says so by its attributes `control_period` (s), `voltage_limits` (V) and `reference_states` (6, K + 1) on
-    the control grid, where it has them.
+    The check uses the policy's optional attributes `control_period` (s), `voltage_limits` (V) and `reference_states`
+    (6, K + 1) on the control grid.
     """
     name = f"policy: this {type(policy).__name__} was made for"
     period = getattr(policy, "control_period", env.control_period)

@@ -1,4 +1,4 @@
-"""The score of whatever flies: many episodes on the same draws for everybody, one row per flight."""
+"""Scores of policies: many episodes on common draws, one row per flight."""
 
 import csv
 import io
@@ -20,13 +20,13 @@ from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 AXES = ("travel", "elevation", "pitch")
-TOGETHER = 100  # episodes that are flown at once
+TOGETHER = 100  # episodes flown at once
 
 
 def metrics_row(metrics: Metrics) -> dict[str, Any]:
-    """The metrics of a flight as columns of a table, angles in degrees."""
+    """Metrics of a flight as columns of a table, angles in degrees."""
     row: dict[str, Any] = {f"rms_{axis}_deg": value for axis, value in zip(AXES, metrics.rms_error_deg)}
-    row["rms_error_deg"] = float(np.hypot(*metrics.rms_error_deg[:2]))  # of travel and elevation together
+    row["rms_error_deg"] = float(np.hypot(*metrics.rms_error_deg[:2]))  # travel and elevation together
     row |= {f"final_{axis}_deg": value for axis, value in zip(AXES, metrics.terminal_error_deg)}
     rest = metrics._asdict()
     del rest["rms_error_deg"], rest["terminal_error_deg"]
@@ -34,7 +34,7 @@ def metrics_row(metrics: Metrics) -> dict[str, Any]:
 
 
 class FlightTable(Sequence[dict[str, Any]]):
-    """Rows, a flight each, that pandas reads: `pandas.DataFrame(table)` or `table.to_pandas()`."""
+    """Table with one row per flight; pandas reads it: `pandas.DataFrame(table)` or `table.to_pandas()`."""
 
     def __init__(self, rows: Iterable[dict[str, Any]]) -> None:
         self.rows = list(rows)
@@ -50,11 +50,11 @@ class FlightTable(Sequence[dict[str, Any]]):
         return self.rows[index]
 
     def column(self, name: str) -> np.ndarray:
-        """One value per flight (N,)."""
+        """Values (N,) of a column, one per flight."""
         return np.array([row[name] for row in self.rows])
 
     def summary(self) -> dict[str, Any]:
-        """Interquartile means with 95 % intervals of errors and cost, a crash counting as the worst; and shares."""
+        """Interquartile means of errors and cost with 95 % intervals (a crash counts as the worst), and shares."""
         crashed = self.column("crashed").astype(bool)[None]
         result: dict[str, Any] = {"episodes": len(self)}
         for name in ("rms_travel_deg", "rms_elevation_deg", "rms_error_deg", "cost"):
@@ -62,7 +62,7 @@ class FlightTable(Sequence[dict[str, Any]]):
         return result | {name: float(self.column(name).mean()) for name in ("success", "crashed", "episode_return")}
 
     def to_pandas(self) -> Any:
-        """The rows as a pandas.DataFrame. Raises ImportError without pandas."""
+        """Rows as a pandas.DataFrame. Raises ImportError without pandas."""
         try:
             import pandas
         except ImportError as error:
@@ -70,7 +70,7 @@ class FlightTable(Sequence[dict[str, Any]]):
         return pandas.DataFrame(self.rows)
 
     def to_csv(self, path: str | os.PathLike) -> None:
-        """Write the rows, atomically."""
+        """Write the rows as CSV, atomically."""
         text = io.StringIO()
         writer = csv.DictWriter(text, list(self.rows[0]) if self.rows else [], lineterminator="\n")
         writer.writeheader()
@@ -101,19 +101,19 @@ def evaluate(
     start_spread_deg: float = 5.0,
     control_period: float = 0.02,
 ) -> FlightTable:
-    """Fly a policy and judge each flight.
+    """Fly a policy in many episodes and score each flight.
 
     Args:
-        policy: whatever `make_pilot` takes: a name, a file, a policy, a function, a Stable-Baselines3 model.
-        plant: what is flown; drawn anew in each episode where it has ranges.
-        episodes: how many, the same for every policy.
-        reference: a packaged one, an .npz file, or a trajectory.
-        seed: of the first episode; the others count on. The default's draws are held out from training and tuning.
-        start_spread_deg: how far each angle of the starts may be off.
+        policy: argument of `make_pilot`: a name, a file, a policy, a function or a Stable-Baselines3 model.
+        plant: plant to fly; each episode draws its ranges anew.
+        episodes: number of episodes.
+        reference: name of a packaged reference, an .npz file, or a trajectory.
+        seed: of the first episode, then counting up. Training and tuning never use the draws of the default.
+        start_spread_deg: greatest deviation of each angle at the start.
         control_period: s.
 
     Raises:
-        ValueError: for arguments that make no sense, and policies that do not fit them.
+        ValueError: for invalid arguments, and policies that do not fit them.
     """
     if not isinstance(episodes, int) or episodes < 1:
         raise ValueError(f"episodes = {episodes!r}: must be a whole number, at least 1")
@@ -137,7 +137,7 @@ def evaluate(
 
 
 def score_episodes(pilot: Any, settings: dict[str, Any], seed: int, episodes: int) -> list[dict[str, Any]]:
-    """Rows of the episodes from `seed` on, in environments with these settings."""
+    """Fly episodes with the seeds from `seed` on, in environments with given settings, and return their rows."""
     single = Heli3DOFEnv(**settings)
     if flies_together(pilot, single.reference):
         flights = fly_many(Heli3DOFVectorEnv(episodes, **settings), pilot, seed)
@@ -151,7 +151,7 @@ def score_episodes(pilot: Any, settings: dict[str, Any], seed: int, episodes: in
 
 
 def flies_together(pilot: Any, reference: Trajectory) -> bool:
-    """Whether a policy flies several helicopters at once: those of the package that can, and agents."""
+    """Whether a pilot flies several helicopters at once, as agents and batched policies do."""
     if hasattr(pilot, "act"):
         return True
     if isinstance(pilot, FunctionPolicy):

@@ -1,7 +1,7 @@
 """Statistics of flights on the same draws: interquartile means, bootstrapped intervals, probabilities of improvement.
 
-After Agarwal et al., "Deep reinforcement learning at the edge of the statistical precipice", 2021. Values are errors or
-costs (seeds, draws), smaller is better. A crashed flight ranks behind all others, so that a crash never pays.
+Source: Agarwal et al., "Deep reinforcement learning at the edge of the statistical precipice", 2021. Values are errors
+or costs (seeds, draws); smaller is better. A crashed flight ranks behind all others, so that a crash never pays.
 """
 
 from typing import Any
@@ -12,12 +12,12 @@ RESAMPLES, CONFIDENCE = 2000, 0.95
 
 
 def interquartile_mean(values: np.ndarray) -> float:
-    """The mean of the middle half of all values."""
+    """Mean of the middle half of all values."""
     return float(middle_mean(np.ravel(values)[None])[0])
 
 
 def middle_mean(rows: np.ndarray) -> np.ndarray:
-    """The mean (N,) of the middle half of each row of (N, n): the quarter at each end, rounded down, is left out."""
+    """Mean (N,) of the middle half of each row of (N, n), without a quarter (rounded down) at each end."""
     n = rows.shape[1]
     cut = n // 4
     if cut:
@@ -26,24 +26,21 @@ def middle_mean(rows: np.ndarray) -> np.ndarray:
 
 
 def rank_crashes_last(values: np.ndarray, crashed: np.ndarray) -> np.ndarray:
-    """The values (..., draws), those of crashed flights raised to the largest of the flights that did not crash.
-
-    So no crashed flight counts less than any other of the same policy.
-    """
+    """Values (..., draws), where each crashed flight is at least as bad as the worst flight without a crash."""
     crashed = np.asarray(crashed, bool)
     if crashed.all():
         return values
     return np.where(crashed, np.maximum(values, values[~crashed].max()), values)
 
 
-def resampled(shape: tuple[int, int], rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Indices that draw as many seeds and as many draws as there are, (seeds, draws), with replacement."""
+def resample_indices(shape: tuple[int, int], rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """Random indices of seeds (S, 1) and draws (1, D), with replacement, for values of shape (S, D)."""
     seeds, draws = shape
     return rng.integers(seeds, size=seeds)[:, None], rng.integers(draws, size=draws)[None]
 
 
 def interval(values: Any) -> tuple[float, float]:
-    """The middle 95 % of bootstrapped values."""
+    """Interval with the middle 95 % of bootstrapped values."""
     low, high = np.quantile(values, [0.5 - CONFIDENCE / 2, 0.5 + CONFIDENCE / 2])
     return float(low), float(high)
 
@@ -51,7 +48,7 @@ def interval(values: Any) -> tuple[float, float]:
 def mean_with_interval(values: np.ndarray) -> dict[str, Any]:
     """Interquartile mean of values (seeds, draws) as "iqm", and its "interval" by a bootstrap of seeds and draws."""
     rng = np.random.default_rng(0)
-    bootstrapped = [interquartile_mean(values[resampled(values.shape, rng)]) for _ in range(RESAMPLES)]
+    bootstrapped = [interquartile_mean(values[resample_indices(values.shape, rng)]) for _ in range(RESAMPLES)]
     return {"iqm": interquartile_mean(values), "interval": interval(bootstrapped)}
 
 
@@ -61,9 +58,9 @@ def probability_of_improvement(
     crashed: np.ndarray | bool = False,
     others_crashed: np.ndarray | bool = False,
 ) -> float:
-    """How probably a value (seeds, draws) is smaller than the other (1, draws) of the same draw; a tie counts half.
+    """Probability that a value (seeds, draws) is smaller than the other (1, draws) of its draw; a tie counts half.
 
-    A flight that crashed is never better than one that did not; two crashes are a tie.
+    A crashed flight is always worse than a flight without a crash; two crashes are a tie.
     """
     values = np.where(crashed, np.inf, values)
     others = np.where(others_crashed, np.inf, others)
@@ -76,9 +73,10 @@ def improvement(
     crashed: np.ndarray | bool = False,
     others_crashed: np.ndarray | bool = False,
 ) -> dict[str, Any]:
-    """By which "share" values (seeds, draws) are smaller than others (1, draws) on the same draws, and how often.
+    """Improvement of values (seeds, draws) over others (1, draws) on the same draws.
 
-    The share compares interquartile means and has an "interval"; the "probability" is that of improvement.
+    "share" is the relative reduction of the interquartile mean, "interval" its bootstrap interval, "probability" the
+    result of `probability_of_improvement`.
     """
     rng = np.random.default_rng(0)
 
@@ -86,7 +84,7 @@ def improvement(
         return 1.0 - interquartile_mean(values[seeds, draws]) / interquartile_mean(others[0, draws])
 
     everyone = np.arange(values.shape[0])[:, None], np.arange(values.shape[1])[None]
-    bootstrapped = [share(*resampled(values.shape, rng)) for _ in range(RESAMPLES)]
+    bootstrapped = [share(*resample_indices(values.shape, rng)) for _ in range(RESAMPLES)]
     return {
         "share": share(*everyone),
         "interval": interval(bootstrapped),
@@ -95,7 +93,7 @@ def improvement(
 
 
 def with_interval(values: np.ndarray) -> dict[str, Any]:
-    """Mean of values (episodes, ...) and its bootstrapped "interval"; None where there is nothing to resample."""
+    """Mean of values (episodes, ...) and its bootstrapped "interval", which is None for one value or equal values."""
     values = np.asarray(values, dtype=float)
     mean = values.mean(axis=0)
     if len(values) < 2 or np.all(values == values[0]):
@@ -107,14 +105,14 @@ def with_interval(values: np.ndarray) -> dict[str, Any]:
 
 
 def bootstrapped_means(values: np.ndarray, resamples: int = 1000) -> np.ndarray:
-    """Interquartile means (resamples, P) of values (P, draws), the same resampled draws for all P: paired."""
+    """Interquartile means (resamples, P) of values (P, draws); all P share the resampled draws (paired)."""
     rng = np.random.default_rng(0)
     draws = rng.integers(values.shape[1], size=(resamples, values.shape[1]))
     return np.stack([middle_mean(row[draws]) for row in values], axis=1)
 
 
 def ranks(means: np.ndarray) -> np.ndarray:
-    """Ranks from 1 on (..., P) of means (..., P), the smallest first; what is alike shares the middle of its ranks."""
+    """Ranks (..., P), from 1 for the smallest, of means (..., P); equal means share their average rank."""
     smaller = (means[..., None, :] < means[..., :, None]).sum(axis=-1)
     alike = (means[..., None, :] == means[..., :, None]).sum(axis=-1)
     return smaller + 0.5 * (alike + 1)
