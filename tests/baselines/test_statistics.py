@@ -50,6 +50,7 @@ def test_the_interquartile_mean_is_the_mean_of_the_middle_half():
     assert interquartile_mean(np.array([[100.0, 1.0, 2.0, -50.0], [3.0, 4.0, 5.0, 99.0]])) == pytest.approx(3.5)
 
 
+@pytest.mark.slow
 def test_an_interval_covers_the_truth_about_as_often_as_it_says():
     rng = np.random.default_rng(0)
     covered = 0

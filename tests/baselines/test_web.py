@@ -265,6 +265,7 @@ def test_the_papers_plan_and_its_gains_in_the_browser_are_those_of_python(live, 
     np.testing.assert_allclose(gains, riccati_gains(papers_plan)(t[::2]), rtol=0.0, atol=1e-3)
 
 
+@pytest.mark.slow
 def test_every_plan_of_the_grid_arrives_and_keeps_its_limits(live):
     requested = list(maneuvers(live))
     assert len(requested) > 200

@@ -200,6 +200,7 @@ def test_keys_fly_and_escape_ends(monkeypatch):
     assert not pygame.display.get_init()
 
 
+@pytest.mark.slow
 def test_closing_the_window_ends_it_and_each_episode_is_summed_up(monkeypatch, capsys):
     script = {2: [(pygame.KEYDOWN, pygame.K_LEFT)], 450: [(pygame.QUIT, None)]}
     played(monkeypatch, script, pitch_limit=math.radians(51.0))

@@ -240,6 +240,7 @@ def test_the_normal_numbers_are_normal_and_independent():
 # The cache
 
 
+@pytest.mark.slow
 def test_kernels_are_kept_on_disk_and_importing_compiles_nothing(tmp_path):
     script = """
 import numba.core.event as event, json
@@ -263,6 +264,7 @@ print(json.dumps([imported, len(recorder.buffer)]))
     assert runs[1].startswith("[0, 0]")
 
 
+@pytest.mark.slow
 def test_a_flight_takes_place_where_nothing_can_be_cached_with_one_warning():
     script = """
 import warnings, os

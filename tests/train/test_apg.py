@@ -24,6 +24,7 @@ def agent(**kwargs):
     return APG(ResidualPolicy(base, SHORT, None, 12.0, feature_groups=GROUPS, ahead=AHEAD), envs, hidden=8, **kwargs)
 
 
+@pytest.mark.slow
 def test_learning_reduces_the_loss_of_the_same_flights_and_a_callback_can_end_it():
     class AfterThirty(BaseCallback):
         def _on_step(self):

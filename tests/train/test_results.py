@@ -124,6 +124,7 @@ def test_a_solver_that_gives_up_says_so():
         oracle.policy(env.drawn_plant, np.full(6, np.nan), env.reference.u[:, 0], env.control_period)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plant", ["lab", "rigid"])
 def test_the_oracle_flies_what_it_planned_and_no_policy_does_better(plant):
     env = Heli3DOFEnv(delayed(plant), "climb-7.5", 0.05, start_spread_deg=5.0)
