@@ -1,1 +1,1 @@
-"""Equations (10)-(51) of the paper, one module a section; imports `heli_gym` alone."""
+"""Equations (10)-(51) of the paper, one module per section; imports only `heli_gym`."""

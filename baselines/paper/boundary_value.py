@@ -1,4 +1,4 @@
-"""Sections III-B and III-D: the boundary value problems (14) and (38) of a maneuver, and their solutions."""
+"""Sections III-B and III-D: boundary value problems (14) and (38) of a maneuver, and their solutions."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -22,10 +22,10 @@ KAPPA = (2, 4)  # (40)
 MESH = {14: 50, 38: 100}  # points of the first mesh, by equation; 50 as in Section III-B
 COARSE, FINE = 1e-3, 1e-5  # relative residuals of the search and of the plan
 MAX_NODES = {COARSE: 500, FINE: 2000}
-SAMPLE_PERIOD = 1e-3  # s, at most, between the samples of a plan: the paper's sampling time (Section IV)
-MOST_SAMPLES = 200_000  # of a plan: longer ones are sampled less often
+SAMPLE_PERIOD = 1e-3  # s, largest step between samples of a plan: the paper's sampling time (Section IV)
+MOST_SAMPLES = 200_000  # of a plan: longer plans have larger steps
 CLOSEST_PITCH = 0.95  # share of the pitch limit to which the first guess is clipped: psi1 never reaches it
-PITCH_RESERVE = 1e-5  # share by which (26) is tightened, so that the replayed pitch keeps its limits between samples
+PITCH_RESERVE = 1e-5  # share by which (26) is tightened, so that the replayed pitch meets its limits between samples
 
 # Setup polynomials of Section III-B over t/T. The paper gives their boundary conditions (12b) and (12c); we add
 # zero second derivatives, so that the inputs start and end at hover.
@@ -40,7 +40,7 @@ for k, polynomial in enumerate((RISE, *BUMPS)):
 
 
 class Solution(NamedTuple):
-    """A solution of (14) or (38), or a guess of one."""
+    """Solution of (14) or (38), or an initial guess."""
 
     t: np.ndarray  # (K,)
     Y: np.ndarray  # (2, K) eta and its rate, or (6, K) y1, its rate, xi1, xi2, eta, its rate
@@ -48,7 +48,7 @@ class Solution(NamedTuple):
     interpolate: Any = None  # t (N,) -> Y
 
     def stretched(self, duration: float) -> "Solution":
-        """The same motion in another time, on a fresh mesh: rates scale with 1/T, accelerations with 1/T²."""
+        """Scale the motion to another duration on a new mesh: rates scale with 1/T, accelerations with 1/T²."""
         ratio = self.t[-1] / duration
         rates = np.array([1.0, ratio] * (len(self.Y) // 2))
         t = np.linspace(0.0, self.t[-1], MESH[38])
@@ -69,7 +69,7 @@ def setup_functions(maneuver: Maneuver, t: np.ndarray, p: np.ndarray) -> np.ndar
 
 
 def solve_unconstrained(maneuver: Maneuver, tolerance: float = COARSE) -> Solution | None:
-    """The BVP (14) with two free parameters, from a linear guess as in the paper; None if there is no solution."""
+    """Solve (14) with two free parameters from a linear guess, as in the paper; None if there is no solution."""
     T, (eta_0, _), (eta_T, _), parameters = maneuver.duration, maneuver.start, maneuver.goal, maneuver.parameters
 
     def acceleration(t, Y, outputs):
@@ -99,14 +99,14 @@ def solve_unconstrained(maneuver: Maneuver, tolerance: float = COARSE) -> Soluti
     t = np.linspace(0.0, T, MESH[14])
     guess = Solution(t, np.stack((eta_0 + (eta_T - eta_0) * t / T, np.full_like(t, (eta_T - eta_0) / T))), np.zeros(2))
     solution = run_solver(rhs, boundary, guess, rhs_jacobian, boundary_jacobian, tolerance)
-    # beyond 90 degrees the tangent has another branch, which no flight can reach
+    # beyond 90 degrees the tangent has another branch, unreachable in flight
     if solution is None or np.abs(setup_functions(maneuver, solution.t, solution.p)[1, 0]).max() >= np.pi / 2:
         return None
     return solution
 
 
 def unconstrained_trajectory(maneuver: Maneuver, solution: Solution) -> Trajectory:
-    """A solution of (14) as states and voltages, by (13) and the inverse of (4) and (2)."""
+    """Convert a solution of (14) to states and voltages, by (13) and the inverses of (4) and (2)."""
     t = sample_times(maneuver)
     (y1, dy1, ddy1), (y2, dy2, ddy2_) = setup_functions(maneuver, t, solution.p)
     x = np.stack((*solution.interpolate(t), y1, dy1, y2, dy2))
@@ -118,7 +118,7 @@ def unconstrained_trajectory(maneuver: Maneuver, solution: Solution) -> Trajecto
 
 
 class Motion(NamedTuple):
-    """What (38) determines algebraically at each time; arrays (K,), the state x (6, K) and the inputs v (2, K)."""
+    """Algebraic variables of (38) at each time: arrays (K,), the state x (6, K) and the inputs v (2, K)."""
 
     pitch: Saturation
     x: Any  # the state (44)
@@ -131,7 +131,7 @@ class Motion(NamedTuple):
 
 
 def constrained_motion(Y: Any, phi: Any, pitch_bounds: Any, f: Any, parameters: HelicopterParameters) -> Motion:
-    """The saturated accelerations and the inputs of (38): (25), (30)-(34), (37), then (13).
+    """Saturated accelerations and inputs of (38): (25), (30)-(34), (37), then (13).
 
     Y (6, ...) are the states, phi (2, ...) the new inputs, f the bounds of the thrusts.
     """
@@ -164,7 +164,7 @@ def new_inputs(tau: float, p: Any) -> tuple:
 
 @cache
 def sampling_kernel() -> Callable:
-    """Compiled: fills in states x (6, K) and thrusts (2, K) of states Y (6, K) of (38), at K equidistant times."""
+    """Compile a function that fills in x (6, K) and thrusts (2, K) for states Y (6, K) of (38) at equidistant times."""
 
     def sample(Y, p, pitch_bounds, f, parameters, x, thrusts):
         for k in range(Y.shape[1]):
@@ -186,7 +186,7 @@ def constrained_rhs(Y: Any, motion: Motion) -> tuple:
 def changes(dY: Any, dphi: Any, Y: Any, motion: Motion, columns: Any, f: Any) -> tuple:
     """First-order changes of ddy1, d xi2/dt and ddeta of (38) with dY (6, ...) and dphi (2, ...).
 
-    `columns` (8, 6, ...) are the derivatives of (3) by x and v. On the corner of a ramp, those of its inner side.
+    `columns` (8, 6, ...) are the derivatives of (3) by x and v. The corners of a ramp have the inner derivative.
     """
     m, xi2 = motion, Y[3]
     _, slope, curvature, third = m.pitch
@@ -200,7 +200,7 @@ def changes(dY: Any, dphi: Any, Y: Any, motion: Motion, columns: Any, f: Any) ->
 
     # Off the bounds of (33), v2 follows from (30); on them, it is constant.
     bend = (xi2**2 * third + m.dxi2 * curvature) * dxi1 + 2.0 * curvature * xi2 * dxi2
-    # the slope underflows far out, where nothing is bounded
+    # for large |xi1| the slope underflows, and no bound is active
     d_dxi2 = free2 * dphi[1] + (1.0 - free2) * (on_y2 - bend) / (slope + free2)
     dv2 = free2 * (bend + slope * dphi[1] - on_y2) / by_v2[5]
     # Off the bounds of (22), v1 follows from (13a); on them, v1 is constant plus or minus |v2|, see (20).
@@ -211,9 +211,9 @@ def changes(dY: Any, dphi: Any, Y: Any, motion: Motion, columns: Any, f: Any) ->
 
 @dataclass(frozen=True)
 class ConstrainedProblem:
-    """The boundary value problem (38) of a maneuver: Y = (y1, dy1, xi1, xi2, eta, deta), p = (p1, p2) of (39).
+    """Boundary value problem (38) of a maneuver: Y = (y1, dy1, xi1, xi2, eta, deta), p = (p1, p2) of (39).
 
-    `check` is called in the course of solving it, which it ends by what it raises.
+    The solver calls `check` regularly; an exception from it ends the solution.
     """
 
     maneuver: Maneuver
@@ -226,17 +226,17 @@ class ConstrainedProblem:
         return low * (1.0 - PITCH_RESERVE), high * (1.0 - PITCH_RESERVE)
 
     def ansatz(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Equation (39): the basis of Phi1 (kappa1, K) and of Phi2 (kappa2, K)."""
+        """Equation (39): basis functions of Phi1 (kappa1, K) and of Phi2 (kappa2, K)."""
         tau = t / self.maneuver.duration
         basis = [np.stack([tau ** (k + 1) - tau for k in range(1, kappa + 1)]) for kappa in KAPPA]
         return basis[0], basis[1]
 
     def motion(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> Motion:
-        """The saturated accelerations and the inputs of (38) at the times t, under the ansatz (39)."""
+        """Saturated accelerations and inputs of (38) at the times t, under the ansatz (39)."""
         basis1, basis2 = self.ansatz(t)
         phi = p[: KAPPA[0]] @ basis1, p[KAPPA[0] :] @ basis2
         f = self.maneuver.rig.thrust_bounds(self.maneuver.limits.u)
-        with np.errstate(divide="ignore"):  # where psi1 is so close to its bound that its slope underflows
+        with np.errstate(divide="ignore"):  # the slope of psi1 underflows close to its bounds
             return constrained_motion(Y, phi, self.pitch_bounds, f, self.maneuver.parameters)
 
     def rhs(self, t: np.ndarray, Y: np.ndarray, p: np.ndarray) -> np.ndarray:
@@ -266,7 +266,7 @@ class ConstrainedProblem:
         return np.array([[elevation, 0.0, xi1, 0.0, travel, 0.0] for travel, elevation in points])
 
     def solve(self, guess: Solution, tolerance: float = COARSE) -> Solution | None:
-        """The solution of (38) from a guess; None if the solver does not converge."""
+        """Solve (38) from a guess; None if the solver does not converge."""
         start, goal = self.ends()
 
         def boundary(Ya, Yb, p):
@@ -278,7 +278,7 @@ class ConstrainedProblem:
         return run_solver(self.rhs, boundary, guess, self.rhs_jacobian, boundary_jacobian, tolerance)
 
     def guess(self, unconstrained: Solution) -> Solution:
-        """The unconstrained plan in the coordinates of (38), the pitch clipped inside its limits (footnote 4)."""
+        """Unconstrained plan in the coordinates of (38), its pitch clipped to the limits (footnote 4)."""
         t, p = unconstrained.t, unconstrained.p
         (y1, dy1, _), (y2, dy2, _) = setup_functions(self.maneuver, t, p)
         low, high = self.pitch_bounds
@@ -288,7 +288,7 @@ class ConstrainedProblem:
         return Solution(t, np.stack((y1, dy1, xi1, xi2, *unconstrained.Y)), np.zeros(sum(KAPPA)))
 
     def trajectory(self, solution: Solution) -> Trajectory:
-        """The solution as states and voltages, by (25), (28), (13) and the inverse of (4) and (2)."""
+        """Convert a solution to states and voltages, by (25), (28), (13) and the inverses of (4) and (2)."""
         t = sample_times(self.maneuver)
         x, thrusts = np.empty((6, len(t))), np.empty((2, len(t)))
         f = self.maneuver.rig.thrust_bounds(self.maneuver.limits.u)
@@ -299,12 +299,12 @@ class ConstrainedProblem:
 
 
 def sample_times(maneuver: Maneuver) -> np.ndarray:
-    """Times (K,) in s at which a plan is sampled."""
+    """Sample times (K,) in s of a plan."""
     return np.linspace(0.0, maneuver.duration, 1 + min(int(np.ceil(maneuver.duration / SAMPLE_PERIOD)), MOST_SAMPLES))
 
 
 def run_solver(rhs, boundary, guess: Solution, rhs_jacobian, boundary_jacobian, tolerance: float) -> Solution | None:
-    """One run of scipy's relative of bvp4c; None if it does not converge."""
+    """Run scipy's `solve_bvp`, related to the paper's bvp4c; None if it does not converge."""
     with np.errstate(all="ignore"):  # a diverging iteration overflows before it gives up
         try:
             result = solve_bvp(

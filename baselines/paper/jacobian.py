@@ -1,6 +1,6 @@
-"""Derivatives of (3) in compiled loops: dual numbers through `heli_gym.model.dynamics` as it stands.
+"""Derivatives of (3) in compiled loops: dual numbers through the unmodified `heli_gym.model.dynamics`.
 
-Dual numbers are complex ones whose imaginary parts are so small that only their first order counts.
+Dual numbers are complex numbers with imaginary parts so small that terms of second order vanish in rounding.
 """
 
 import math
@@ -9,23 +9,23 @@ from typing import Any
 from heli_gym.model import dynamics
 from heli_gym.parameters import HelicopterParameters
 
-STEP = 1e-30  # imaginary part of the variable by which is differentiated
+STEP = 1e-30  # imaginary part of the variable of differentiation
 
 
 def dual_sin(z):
-    """The sine of a dual number."""
+    """Sine of a dual number."""
     return complex(math.sin(z.real), math.cos(z.real) * z.imag)
 
 
 def dual_cos(z):
-    """The cosine of a dual number."""
+    """Cosine of a dual number."""
     return complex(math.cos(z.real), -math.sin(z.real) * z.imag)
 
 
 def jacobian_column(x: Any, v: Any, j: int, parameters: HelicopterParameters) -> tuple:
-    """Derivatives (6,) of (3) by the j-th of its eight variables, the states x (6,) and the inputs v (2,).
+    """Derivatives (6,) of (3) by the j-th of its eight variables, the state x (6,) and the inputs v (2,).
 
-    With a literal j, the compiler leaves out what vanishes.
+    For a literal j, the compiler removes terms that vanish.
     """
     x = (
         complex(x[0], STEP if j == 0 else 0.0),

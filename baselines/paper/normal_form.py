@@ -29,24 +29,24 @@ def internal_dynamics(x: Any, ddy1: Any, p: HelicopterParameters, sin: Any = np.
 
 
 def travel_damping(p: HelicopterParameters) -> float:
-    """Decay in 1/s of the travel rate by itself, as (3a) has it at level: zero in the paper."""
+    """Viscous damping in 1/s of the travel rate in (3a) at level: zero in the paper."""
     still, moving = (dynamics((0.0, rate, 0.0, 0.0, 0.0, 0.0), (0.0, 0.0), p)[1] for rate in (0.0, 1.0))
     return float(still - moving)
 
 
 def arrival_weights(left: Any, damping: Any) -> tuple[Any, Any]:
-    """What a travel acceleration leaves of the rate, and adds to the travel in s, a time `left` in s later."""
+    """Share of a travel rate that remains after a time `left` in s under damping, and travel per unit of rate, in s."""
     decay = np.exp(-damping * left)
     return decay, (1.0 - decay) / damping if damping else left
 
 
 def thrust_bounds(limits: Limits, p: HelicopterParameters) -> tuple[float, float]:
-    """Equations (15), (16): what one fan thrusts at its lowest and at its highest voltage."""
+    """Equations (15), (16): thrust of one fan at its lowest and at its highest voltage."""
     return float(thrust(limits.u_min, p)), float(thrust(limits.u_max, p))
 
 
 def v2_bounds(f: tuple[float, float]) -> tuple[float, float]:
-    """Equation (18): fixed bounds of the thrust difference, for fans with the thrust bounds f."""
+    """Equation (18): constant bounds of the thrust difference, for fans with the thrust bounds f."""
     f_min, f_max = f
     return f_min - f_max, f_max - f_min
 
@@ -60,8 +60,8 @@ def v1_bounds(v2: Any, f: tuple[float, float]) -> tuple[Any, Any]:
 def ddy1_bounds(x: Any, v2: Any, f: tuple[float, float], p: HelicopterParameters) -> tuple[Any, Any]:
     """Equation (22): bounds of the elevation's second derivative.
 
-    Table I's b2 is negative, so that the lower bound comes from the upper bound of v1 (misprinted in the paper); where
-    it is positive, from the lower one.
+    Table I's b2 is negative, so that the lower bound is at the upper bound of v1 (misprinted in the paper); for a
+    positive b2, it is at the lower one.
     """
     v1_min, v1_max = v1_bounds(v2, f)
     one, other = alpha1(x, v1_max, p), alpha1(x, v1_min, p)

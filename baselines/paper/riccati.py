@@ -1,7 +1,7 @@
-"""The Riccati equation (50) by Runge-Kutta steps of order four, compiled.
+"""Riccati equation (50), integrated by compiled Runge-Kutta steps of order four.
 
-The linearisation is that of `heli_gym.model.dynamics` as it stands, see `jacobian`; which of its entries vanish or are
-constant is found out beforehand.
+The linearisation is that of `heli_gym.model.dynamics`, see `jacobian`; its zero and constant entries are detected
+beforehand.
 """
 
 import math
@@ -15,14 +15,14 @@ from heli_gym.compilation import jit_cached
 from heli_gym.model import linearise
 from heli_gym.parameters import HelicopterParameters
 
-TINY = 1e-300  # what keeps a division from being one by zero
-# Two states and inputs without symmetry, by which what is constant and what vanishes in the Jacobians is recognised.
+TINY = 1e-300  # prevents a division by zero
+# Two generic states and inputs, at which zero and constant entries of the Jacobians are detected.
 GENERIC = np.array([[0.3, 0.7, -0.2, 0.5, 0.4, -0.6, 0.9, 0.1], [-1.1, 0.2, 0.6, -0.3, -0.7, 0.8, 0.4, -0.3]])
 
 
 @cache
 def linearising_kernel() -> Callable:
-    """Compiled: fills in the given columns of J (N, 6, 8), the derivatives of (3) by state and input, at z (8, N)."""
+    """Compile a function that fills in the given columns of J (N, 6, 8), derivatives of (3) by z (8, N) = (x, v)."""
 
     def linearise_along(z, columns, parameters, J):
         for n in range(z.shape[1]):
@@ -37,12 +37,12 @@ def linearising_kernel() -> Callable:
 
 @cache
 def riccati_kernel() -> Callable:
-    """Compiled: fills in P (2 N + 1, 6, 6), from its end backwards, given J (2 N + 1, 6, 8) at the same times.
+    """Compile a function that fills in P (2 N + 1, 6, 6), backwards from its last entry, and K (2, 6, 2 N + 1) of (51).
 
-    And the gains K (2, 6, 2 N + 1) of (51). Only the entries of J given by rows and columns are looked at; R is the
-    inverse of the weight. A step h goes over two entries, and the one between them is interpolated. Returns the
-    largest of an estimate of the steps' errors, the difference to the step of order three that the slope at its end
-    makes possible, relative to the diagonal of P.
+    J (2 N + 1, 6, 8) are the Jacobians at the same times; only the entries given by `rows` and `columns` are read. R is
+    the inverse of the weight. A step h spans two entries, and the entry between them is interpolated. The function
+    returns the largest error estimate of a step relative to the diagonal of P: the difference to an embedded step of
+    order three, which uses the slope at the end.
     """
 
     def integrate(P, J, rows, columns, Q, R, h, K):
@@ -82,7 +82,7 @@ def riccati_kernel() -> Callable:
 
 
 def slope(P, J, rows, columns, Q, R, S, W, V, rate):
-    """Fills in the lower triangle of -dP/dt (50); S is room for A' P, for W and V see `feedback`."""
+    """Fill in the lower triangle of -dP/dt (50); S is a work array for A' P, for W and V see `feedback`."""
     for i in range(6):
         for j in range(6):
             S[i, j] = 0.0
@@ -98,7 +98,7 @@ def slope(P, J, rows, columns, Q, R, S, W, V, rate):
 
 
 def feedback(P, J, rows, columns, R, W, V):
-    """Fills in W = B' P and the gains V = R^-1 B' P (51), both (2, 6)."""
+    """Fill in W = B' P and the gains V = R^-1 B' P (51), both (2, 6)."""
     for i in range(6):
         W[0, i] = W[1, i] = 0.0
     for k in range(len(rows)):
@@ -112,7 +112,7 @@ def feedback(P, J, rows, columns, R, W, V):
 
 
 def jacobians_along(x: np.ndarray, v: np.ndarray, parameters: HelicopterParameters) -> tuple[np.ndarray, ...]:
-    """The derivatives (N, 6, 8) of (3) by states x (6, N) and inputs v (2, N), and where they do not vanish."""
+    """Derivatives (N, 6, 8) of (3) by states x (6, N) and inputs v (2, N), and rows and columns of nonzero entries."""
     sample, rows, columns, varying = structure(parameters)
     J = np.empty((x.shape[1], 6, 8))
     J[:] = sample
@@ -122,7 +122,7 @@ def jacobians_along(x: np.ndarray, v: np.ndarray, parameters: HelicopterParamete
 
 @cache
 def structure(parameters: HelicopterParameters) -> tuple[np.ndarray, ...]:
-    """The derivatives (6, 8) of (3) somewhere, the rows and columns of those that do not vanish, columns that vary."""
+    """Derivatives (6, 8) of (3) at one point, rows and columns of the nonzero ones, and the columns that vary."""
     samples = np.stack([np.concatenate(linearise(z[:6], z[6:], parameters), axis=1) for z in GENERIC])
     return samples[0], *np.nonzero(samples.any(axis=0)), np.flatnonzero((samples[0] != samples[1]).any(axis=0))
 
@@ -130,9 +130,9 @@ def structure(parameters: HelicopterParameters) -> tuple[np.ndarray, ...]:
 def integrate(
     J: np.ndarray, rows: np.ndarray, columns: np.ndarray, Q: np.ndarray, R: np.ndarray, M: np.ndarray, h: float
 ) -> tuple[np.ndarray, np.ndarray, float]:
-    """P (2 N + 1, 6, 6) of (50) and K (2, 6, 2 N + 1) of (51), by N steps h in s, given J (2 N + 1, 6, 8).
+    """P (2 N + 1, 6, 6) of (50), K (2, 6, 2 N + 1) of (51), and an upper estimate of the largest relative error.
 
-    And an estimate, on the safe side, of the relative error of the worst of these.
+    Takes N steps of h in s; J (2 N + 1, 6, 8) are the Jacobians of (3).
     """
     P, K = np.empty((len(J), 6, 6)), np.empty((2, 6, len(J)))
     P[-1] = M

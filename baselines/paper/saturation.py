@@ -1,4 +1,4 @@
-"""Section III-D: the saturation functions (25)-(37) that build the constraints into the dynamics."""
+"""Section III-D: saturation functions (25)-(37) that include the constraints in the dynamics."""
 
 from typing import Any, NamedTuple
 
@@ -6,7 +6,7 @@ import numpy as np
 
 
 class Saturation(NamedTuple):
-    """The smooth saturation psi1 of (27) at some xi, with its derivatives."""
+    """Smooth saturation psi1 of (27) at a point xi, with its derivatives."""
 
     value: Any
     slope: Any  # d psi1 / d xi
@@ -17,8 +17,8 @@ class Saturation(NamedTuple):
 def psi1(xi: Any, bounds: tuple[float, float]) -> Saturation:
     """Equation (27): smooth, strictly increasing, within its bounds (in rad), with slope 1 at xi = 0.
 
-    Written with sigma = 1 / (1 + exp(-m xi)), psi1 = psi1⁻ + (psi1⁺ - psi1⁻) sigma, which is the same
-    function, does not overflow, and has derivatives that are polynomials in sigma.
+    The equivalent form psi1 = psi1⁻ + (psi1⁺ - psi1⁻) sigma with sigma = 1 / (1 + exp(-m xi)) does not overflow, and
+    its derivatives are polynomials in sigma.
     """
     low, high = bounds
     m = 4.0 / (high - low)
@@ -33,7 +33,7 @@ def psi1(xi: Any, bounds: tuple[float, float]) -> Saturation:
 
 
 def psi1_inverse(y: Any, bounds: tuple[float, float]) -> Any:
-    """Equation (35): the xi at which psi1 takes the value y, for y strictly between the bounds."""
+    """Equation (35): xi with psi1(xi) = y, for y strictly between the bounds."""
     low, high = bounds
     return (high - low) / 4.0 * np.log((y - low) / (high - y))
 
@@ -45,9 +45,9 @@ def ramp(v: Any, bounds: tuple[Any, Any]) -> Any:
 
 
 def psi2_bounds(ddy2_bounds: tuple[Any, Any], saturation: Saturation, xi2: Any) -> tuple[Any, Any]:
-    """Equation (33): bounds of d xi2/dt that keep the pitch's second derivative within (23).
+    """Equation (33): bounds of d xi2/dt that limit the pitch's second derivative to (23).
 
-    Far out the slope underflows, and nothing bounds d xi2/dt: numpy then warns of a division by zero.
+    For large |xi| the slope underflows and the bounds are infinite: numpy then warns of a division by zero.
     """
     ddy2_min, ddy2_max = ddy2_bounds
     bend = saturation.curvature * xi2**2

@@ -1,7 +1,7 @@
-"""The boundary value problem (38) by multiple shooting: Newton's method on the six parameters of (39), (40).
+"""Boundary value problem (38) by multiple shooting: Newton's method on the six parameters of (39), (40).
 
-The initial guess is the paper's: the unconstrained plan with its pitch clipped, by its states at the ends of segments,
-and all parameters zero. Flights and their derivatives are compiled from `boundary_value` as it stands.
+The initial guess is the paper's: states at the segment ends from the unconstrained plan with its pitch clipped, and
+zero parameters. Flights and their derivatives are compiled from the equations in `boundary_value`.
 """
 
 import math
@@ -33,24 +33,24 @@ from heli_gym.model import axpy, dynamics, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
 SEGMENTS = 10
-SEARCH, FINE = 10, 70  # Runge-Kutta steps of order four in a segment: to find the parameters, and to refine them
-CLOSE = {SEARCH: 1e-3, FINE: 1e-6}  # rad and rad/s, between the segments and at the goal
+SEARCH, FINE = 10, 70  # Runge-Kutta steps of order four per segment, for search and for refinement
+CLOSE = {SEARCH: 1e-3, FINE: 1e-6}  # rad and rad/s, largest defects between the segments and at the goal
 ITERATIONS = 25  # of Newton's method
-LEAST_STEP = 0.5  # share of Newton's step that has to do; smaller ones lead to solutions that swing the elevation
-STRETCHES = (1.0, 1.1, 1.21, 1.33, 1.5)  # of the duration, from which the search may start
-FARTHEST, NEAREST = 0.1, 0.01  # relative steps in which durations are shortened: the first, and when to give up
+LEAST_STEP = 0.5  # smallest share of a Newton step; smaller ones lead to solutions with oscillating elevation
+STRETCHES = (1.0, 1.1, 1.21, 1.33, 1.5)  # factors on the duration at which the search starts
+FARTHEST, NEAREST = 0.1, 0.01  # relative steps of shortening a duration: first and smallest
 NEWTON_STEPS = 20  # for the two parameters of the unconstrained plan
-FREE = 1e-3  # share of its window that a voltage stays off its limits where a plan tells the parameters of (39)
+FREE = 1e-3  # distance to the limits, as a share of their range, of voltages used to fit the parameters of (39)
 
 
 @cache
 def shooting_kernel() -> Callable:
-    """The compiled `shoot`; compiled at its first call, and kept on disk for as long as the equations stay the same.
+    """Compile `shoot` at its first call, cached on disk until the equations change.
 
-    From the states Y (6, N + 1) at the starts of segments of so many steps each, it fills in those in between, and all
-    derivatives dY (6, N + 1); for each segment, what is missed (6,) at the start of the next one or at the goal, and of
-    the state there the derivatives (6, 7) by the parameters p (6,) of (39), the last column being what is missed, added
-    up along the way: all as if the segments were joined, to first order.
+    `shoot` starts from the states Y (6, N + 1) at the segment starts, `steps` Runge-Kutta steps apart, and fills in the
+    states between them and all derivatives dY (6, N + 1). For each segment it fills in the defect (6,) at the start of
+    the next segment or at the goal, and the sensitivity (6, 7) of the state there: six columns of derivatives by the
+    parameters p (6,) of (39), and one of the accumulated defects, to first order as if the segments were joined.
     """
 
     def shoot(Y, p, goal, steps, duration, pitch_bounds, f, parameters, dY, defects, sensitivity):
@@ -92,9 +92,9 @@ def shooting_kernel() -> Callable:
 
 
 def linearised(tau, Y, V, p, pitch_bounds, f, parameters, dV):
-    """The time derivative of the states Y (6,) of (38) at a share tau of the duration, under (39).
+    """Time derivative of the states Y (6,) of (38) at a share tau of the duration, under (39).
 
-    Fills in that of V (6, 7), small changes of the states, of which the first six are due to the parameters.
+    Fills in the derivative dV of V (6, 7), first-order changes of the states; the first six are by the parameters.
     """
     motion = constrained_motion(Y, new_inputs(tau, p), pitch_bounds, f, parameters)
     columns = jacobian(motion.x, motion.v, parameters)
@@ -113,7 +113,7 @@ def linearised(tau, Y, V, p, pitch_bounds, f, parameters, dV):
 
 
 def add_scaled(V, h, dV, W):
-    """Fills in W = V + h dV, all (6, 7)."""
+    """Fill in W = V + h dV, all (6, 7)."""
     for i in range(6):
         for j in range(7):
             W[i, j] = V[i, j] + h * dV[i, j]
@@ -121,7 +121,7 @@ def add_scaled(V, h, dV, W):
 
 @cache
 def interpolation_kernel() -> Callable:
-    """Compiled: cubic Hermite interpolation (6, K) at times t (K,) of Y (6, N + 1) and dY, given every h."""
+    """Compile cubic Hermite interpolation (6, K) at times t (K,) of Y (6, N + 1) and dY, sampled every h."""
 
     def interpolate(Y, dY, h, t):
         values = np.empty((len(Y), len(t)))
@@ -138,7 +138,7 @@ def interpolation_kernel() -> Callable:
 
 
 class Shot(NamedTuple):
-    """A flight in segments under parameters p (6,) of (39), each of which leads close to the start of the next."""
+    """Flight in segments under parameters p (6,) of (39), with defects between the segments."""
 
     Y: np.ndarray  # (6, N + 1) states
     dY: np.ndarray  # (6, N + 1) their derivatives
@@ -153,9 +153,9 @@ class Shot(NamedTuple):
 
 
 def shooter(problem: ConstrainedProblem, steps: int) -> Callable[[np.ndarray, np.ndarray], Shot]:
-    """What makes a Shot, in so many steps a segment, of states (6, S + 1) at the ends of segments and parameters (6,).
+    """Function that integrates a Shot from states (6, S + 1) at the segment ends and parameters (6,).
 
-    The first of these states is that of the problem, and the last one is only where the last segment should lead.
+    Each segment has `steps` steps. The problem's start replaces the first state; no segment starts at the last one.
     """
     maneuver, kernel = problem.maneuver, shooting_kernel()
     start, goal = problem.ends()
@@ -176,7 +176,7 @@ def shooter(problem: ConstrainedProblem, steps: int) -> Callable[[np.ndarray, np
 
 
 def solve_newton(problem: ConstrainedProblem, nodes: np.ndarray, p: np.ndarray, steps: int = SEARCH) -> Shot | None:
-    """The flight from such a guess, whose segments join, by damped Newton steps; None if these do not converge."""
+    """Solve for a flight with zero defects by damped Newton steps from a guess; None if they do not converge."""
     shoot = shooter(problem, steps)
     with np.errstate(all="ignore"):  # a diverging iteration overflows before it gives up
         now = shoot(nodes, p)
@@ -191,7 +191,7 @@ def solve_newton(problem: ConstrainedProblem, nodes: np.ndarray, p: np.ndarray, 
 
 
 def improved(now: Shot, shoot: Callable[[np.ndarray, np.ndarray], Shot]) -> Shot | None:
-    """The next flight by Newton's step, or by a share of it that misses enough less; None if there is none."""
+    """Next iterate by a full or damped Newton step that reduces the defects enough; None if none does."""
     by_p, by_missed = now.sensitivity[:, :, :6], now.sensitivity[:, :, 6]
     try:
         dp = -np.linalg.solve(by_p[-1], by_missed[-1])
@@ -210,9 +210,10 @@ def improved(now: Shot, shoot: Callable[[np.ndarray, np.ndarray], Shot]) -> Shot
 
 @cache
 def travel_kernel() -> Callable:
-    """Compiled: fills in the travel's second derivative (K,) of (14a), and its derivatives (2, K) by two parameters.
+    """Compile a function that fills in the travel's second derivative (K,) of (14a) and its derivatives by parameters.
 
-    Elevation and its derivatives are (K,), the pitch with its own (3, K), each parameter's share of that (2, 3, K).
+    Arguments: elevation and its two derivatives, (K,) each; pitch with two derivatives, (3, K); and the derivatives of
+    the latter by the two parameters, (2, 3, K). The derivatives by the parameters are (2, K).
     """
 
     def accelerate(y1, dy1, ddy1, pitch, shares, parameters, ddeta, by_p):
@@ -228,10 +229,10 @@ def travel_kernel() -> Callable:
 
 
 def unconstrained_guess(maneuver: Maneuver) -> Solution | None:
-    """The solution of (14) at the ends of the segments, by the trapezoidal rule and Newton's method; None if none is.
+    """Solve (14) at the segment ends by the trapezoidal rule and Newton's method; None without a solution.
 
-    The travel starts and ends at rest, and what it covers is the integral of the time that is left times ddeta; with
-    damping, of what each acceleration leaves at the end of the rate and adds to the travel.
+    The travel starts and ends at rest. Without damping, its change is the integral of ddeta times the remaining time;
+    with damping, `arrival_weights` replace that factor.
     """
     T, p, parameters = maneuver.duration, np.zeros(2), maneuver.parameters
     share = np.linspace(0.0, 1.0, SEGMENTS * SEARCH + 1)
@@ -255,16 +256,16 @@ def unconstrained_guess(maneuver: Maneuver) -> Solution | None:
 
 
 def integrated(rate: np.ndarray, h: float) -> np.ndarray:
-    """The integral (K,) of a rate (K,) sampled every h, by the trapezoidal rule."""
+    """Integral (K,) of a rate (K,) sampled every h, by the trapezoidal rule."""
     rise = np.zeros(len(rate))
     np.cumsum(0.5 * h * (rate[:-1] + rate[1:]), out=rise[1:])
     return rise
 
 
 def guess_from(problem: ConstrainedProblem, near: Trajectory) -> tuple[np.ndarray, np.ndarray]:
-    """The states (6, S + 1) of a plan at the ends of the segments, in the time of the problem, and parameters (6,).
+    """States (6, S + 1) of a plan at the segment ends, scaled to the problem's duration, and parameters (6,).
 
-    Those are fitted to where the voltages are off their limits, which is where (39) can be seen.
+    The parameters are fitted where the voltages are off their limits, since only there (39) acts unsaturated.
     """
     share, ratio = np.linspace(0.0, 1.0, SEGMENTS * SEARCH + 1), near.duration / problem.maneuver.duration
     x, u = near(near.duration * share)
@@ -288,14 +289,14 @@ def guess_from(problem: ConstrainedProblem, near: Trajectory) -> tuple[np.ndarra
 
 
 def unchecked() -> None:
-    """Nothing that would end a search."""
+    """Do nothing: the default check, which never ends a search."""
 
 
 def solve_by_shooting(maneuver: Maneuver, check: Callable[[], None] = unchecked) -> Solution | None:
-    """A solution of (38), from the paper's initial guess.
+    """Solve (38) from the paper's initial guess; None if no solution is found.
 
-    Where the guess leads to none, that for a longer duration may, and its solution, shortened step by step, to the one
-    asked for. None if there is no such way. `check` may end the search by what it raises.
+    If the guess fails, the search starts from a solution for a longer duration and shortens it step by step to the
+    requested one. An exception from `check` ends the search.
     """
     duration, found = first_shot(maneuver, check)
     step = FARTHEST
@@ -314,14 +315,14 @@ def solve_by_shooting(maneuver: Maneuver, check: Callable[[], None] = unchecked)
 
 
 def solve_near(maneuver: Maneuver, near: Trajectory, check: Callable[[], None] = unchecked) -> Solution | None:
-    """A solution of (38), straight from a plan of a similar maneuver; None if it leads to none."""
+    """Solve (38) with a plan of a similar maneuver as the initial guess; None if that fails."""
     problem = ConstrainedProblem(maneuver, check)
     found = solve_newton(problem, *guess_from(problem, near))
     return found and refined(problem, found)
 
 
 def first_shot(maneuver: Maneuver, check: Callable[[], None]) -> tuple[float, Shot | None]:
-    """The shortest of some durations from the maneuver's on for which the paper's guess leads anywhere, and where."""
+    """First of the durations STRETCHES times the maneuver's for which the paper's guess converges, and its solution."""
     for stretch in STRETCHES:
         longer = replace(maneuver, duration=stretch * maneuver.duration)
         unconstrained = unconstrained_guess(longer)
@@ -335,7 +336,7 @@ def first_shot(maneuver: Maneuver, check: Callable[[], None]) -> tuple[float, Sh
 
 
 def refined(problem: ConstrainedProblem, found: Shot) -> Solution | None:
-    """The solution that is close, in finer steps."""
+    """Refine a solution with FINE steps per segment; None if that fails."""
     fine = solve_newton(problem, found.nodes, found.p, FINE)
     if fine is None:
         return None

@@ -1,4 +1,4 @@
-"""Section III-E: the time-varying linear quadratic regulator (46)-(51)."""
+"""Section III-E: time-varying linear quadratic regulator (46)-(51)."""
 
 import math
 from dataclasses import dataclass
@@ -13,27 +13,27 @@ from heli_gym.parameters import HelicopterParameters
 from heli_gym.rig import Rig, assumed_rig
 from heli_gym.trajectory import Trajectory
 
-STEP = 0.04  # s, at most, of the Riccati integration; there are gains every half of it
-STIFF = 1e-4  # estimated relative error of a step from which on the integration is done once more, for stiff equations
-SYMMETRY = 1e-5  # relative difference of two entries of a symmetric matrix, at most
-GAUSS = 0.5 - np.sqrt(3.0) / 6.0, 0.5 + np.sqrt(3.0) / 6.0  # where each step evaluates the linearisation
+STEP = 0.04  # s, largest step of the Riccati integration; gains are sampled at half steps
+STIFF = 1e-4  # estimated relative error of a step above which the stiff integrator is used
+SYMMETRY = 1e-5  # largest relative difference of two entries of a symmetric matrix
+GAUSS = 0.5 - np.sqrt(3.0) / 6.0, 0.5 + np.sqrt(3.0) / 6.0  # nodes of the linearisation within a step
 
-# The weights of (49), which the paper does not give: round numbers by Bryson's rule. Those that `python -m
-# heli_gym.baselines.commands.tune` finds are no better on draws that they were not tuned on.
+# Weights of (49), missing in the paper: round numbers by Bryson's rule. Weights found by `python -m
+# heli_gym.baselines.commands.tune` are no better on draws outside the tuning set.
 Q = np.diag([40.0, 20.0, 40.0, 20.0, 1.0, 0.5])  # per rad² and (rad/s)²
 R = np.diag([1.0, 1.0])  # per N²
 
 
 @dataclass(frozen=True, eq=False)
 class Gains:
-    """Feedback gains over time: t (N,) in s, K (2, 6, N) of (51), P (6, 6, N) of (50). Called, interpolates K."""
+    """Feedback gains over time: t (N,) in s, K (2, 6, N) of (51), P (6, 6, N) of (50). Calling it interpolates K."""
 
     t: np.ndarray
     K: np.ndarray
     P: np.ndarray
 
     def __call__(self, t: ArrayLike) -> np.ndarray:
-        """K (2, 6, ...) at the times t in s, linear in between; before and after, the ends are held."""
+        """K (2, 6, ...) at the times t in s: linear between samples, constant before the start and after the end."""
         s = np.clip(np.asarray(t, dtype=float) / self.t[1], 0.0, len(self.t) - 1.0)
         k = np.minimum(s.astype(int), len(self.t) - 2)
         return (k + 1 - s) * self.K[:, :, k] + (s - k) * self.K[:, :, k + 1]
@@ -44,10 +44,10 @@ def stationary_cost(elevation: float, parameters: HelicopterParameters, Q: np.nd
     hover = np.array([[0.0], [0.0], [elevation], [0.0], [0.0], [0.0]])
     J, *_ = jacobians_along(hover, hover_input([elevation], parameters), parameters)
     A, B = J[:, :, :6], J[:, :, 6:]
-    # what decays under the optimal control is an invariant subspace of the Hamiltonian system (Laub, 1979)
+    # the stable invariant subspace of the Hamiltonian system contains the optimal closed loop (Laub, 1979)
     _, Z, decaying = schur(hamiltonian((A, B), Q, R)[0], sort="lhp")
     if decaying != 6:
-        return solve_continuous_are(A[0], B[0], Q, R)  # which says what is wrong, if anything is
+        return solve_continuous_are(A[0], B[0], Q, R)  # raises the proper error, if any
     P = np.linalg.solve(Z[:6, :6].T, Z[6:, :6].T)
     return 0.5 * (P + P.T)
 
@@ -61,7 +61,7 @@ def stationary_gain(
 
 
 def check_weight(name: str, weight: ArrayLike, size: int, definite: bool = False) -> np.ndarray:
-    """The weight (size, size); raises ValueError unless it is symmetric and positive (semi)definite."""
+    """Return the weight (size, size). Raises ValueError unless it is symmetric and positive (semi)definite."""
     weight = np.asarray(weight, dtype=float)
     finite = weight.shape == (size, size) and np.isfinite(weight).all()
     if not finite or (np.abs(weight - weight.T) > SYMMETRY * np.abs(weight)).any():
@@ -81,20 +81,19 @@ def riccati_gains(
     R: np.ndarray = R,
     M: np.ndarray | None = None,
 ) -> Gains:
-    """Gains (51) along a reference, by the Riccati equation (50) integrated backwards from P(T) = M.
+    """Gains (51) along a reference, from the Riccati equation (50) integrated backwards from P(T) = M.
 
-    The gains act on v, not on u: the model is linear in v, while the thrust map (2) is quadratic.
-    Integrated by compiled Runge-Kutta steps, or, where an estimate of their error says that the weights make (50) too
-    stiff for that, by a Magnus expansion.
+    The gains act on v, not on u: the model is linear in v, while the thrust map (2) is quadratic. The integrator is
+    compiled Runge-Kutta or, if its error estimate shows that the weights make (50) too stiff, a Magnus expansion.
 
     Args:
-        reference: what is flown; its duration is T.
-        rig: whose model (3) is linearised; by default the reference's, and parameters stand for the paper's rig with
-            these.
+        reference: trajectory to track; its duration is T.
+        rig: rig of the linearised model (3), the reference's by default; parameters stand for the paper's rig with
+            them.
         Q: weight (6, 6) of the state in (49).
         R: weight (2, 2) of the thrusts v in (49).
-        M: weight (6, 6) of the final state in (49). Without one, the cost of holding the end of the reference for
-            ever, so that the gains end where the stationary regulator's are.
+        M: weight (6, 6) of the final state in (49). Without it, the cost of hover at the end of the reference for
+            infinite time, so that the final gains are those of the stationary regulator.
 
     Raises:
         ValueError: if a weight has the wrong shape, is not symmetric or not positive (semi)definite.
@@ -117,10 +116,9 @@ def riccati_gains(
 
 
 def integrate_stiff(reference, rig, Q, R, M, t) -> np.ndarray:
-    """P (N, 6, 6) of (50) at the times t (N,).
+    """P (N, 6, 6) of (50) at the times t (N,), by a Magnus expansion of order four of the Hamiltonian system.
 
-    By the Magnus expansion of order four of the Hamiltonian system, which is exact where the linearisation is constant,
-    keeps P positive semidefinite and does not mind how stiff the weights make (50).
+    It is exact for a constant linearisation, preserves positive semidefinite P, and is stable for stiff (50).
     """
 
     def linearised(times):
@@ -141,7 +139,7 @@ def integrate_stiff(reference, rig, Q, R, M, t) -> np.ndarray:
 
 
 def hamiltonian(linearisation: tuple[np.ndarray, np.ndarray], Q: np.ndarray, R: np.ndarray) -> np.ndarray:
-    """Matrices (N, 12, 12) of the linear equation of which (50) is the quotient: P = L X^-1, d(X, L)/dt = H (X, L)."""
+    """Hamiltonian matrices H (N, 12, 12) of (50): d(X, L)/dt = H (X, L) and P = L X^-1."""
     A, B = linearisation
     H = np.empty((len(A), 12, 12))
     H[:, :6, :6] = A

@@ -1,1 +1,1 @@
-"""Planners: a maneuver in, a checked Trajectory out; imports `heli_gym` and `paper`."""
+"""Planners: from a maneuver to a validated Trajectory; imports `heli_gym` and `paper`."""

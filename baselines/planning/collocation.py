@@ -1,7 +1,7 @@
-"""Optimal control by direct collocation, with CasADi and IPOPT: slow, and next to nothing assumed.
+"""Optimal control by direct collocation with CasADi and IPOPT: slow, but almost without assumptions.
 
-Hermite-Simpson on equation (3) itself; thrusts are linear between the nodes, so that they keep their limits there too.
-Needs the extra `ocp`.
+Hermite-Simpson collocation of equation (3). Thrusts are linear between the nodes, so that they meet their limits there
+too. The extra `ocp` must be installed.
 """
 
 import math
@@ -19,16 +19,16 @@ from heli_gym.trajectory import Maneuver, Trajectory
 
 OBJECTIVES = ("time", "effort")
 INTERVALS = 100
-SHORTEST, LONGEST = 0.05, 600.0  # s, of any transition, and of any computation
-STEPS = 3000  # of the interior-point method, at most
-TIGHTENINGS = 5  # of the pitch limits
-WAY_RESERVE = 1e-4  # rad and rad/s, from constraints on the way, which hold at the nodes
-FAR = 1e4  # rad: beyond its ends, a floor is level
-RESERVE = 3e-5  # rad, from the pitch limits, so that the replayed plan keeps them although it was only interpolated
+SHORTEST, LONGEST = 0.05, 600.0  # s, shortest transition and longest computation
+STEPS = 3000  # largest number, of the interior-point method
+TIGHTENINGS = 5  # largest number of times that the pitch limits are tightened
+WAY_RESERVE = 1e-4  # rad and rad/s, margin to path constraints, which hold at the nodes only
+FAR = 1e4  # rad, ends of the level extension of a floor
+RESERVE = 3e-5  # rad, margin to the pitch limits for the interpolation error of the replayed plan
 
 
 class Collocation(NamedTuple):
-    """What collocation found: times (K,) in s, states (6, K), and thrusts (2, K) in N, linear in between."""
+    """Solution of the collocation: times (K,) in s, states (6, K), and thrusts (2, K) in N, linear between nodes."""
 
     t: np.ndarray
     x: np.ndarray
@@ -36,7 +36,7 @@ class Collocation(NamedTuple):
 
 
 def import_casadi() -> Any:
-    """CasADi. Raises ImportError with what to install where it is missing."""
+    """Import CasADi. Raises ImportError, which names the extra to install, if it is missing."""
     try:
         import casadi
     except ImportError as error:
@@ -52,17 +52,17 @@ def collocate(
     time_limit: float = LONGEST,
     tighter: dict[str, float] | None = None,
 ) -> Collocation | None:
-    """The transition of least time, at most the maneuver's duration, or of least effort in exactly that.
+    """Transition of least time, at most the maneuver's duration, or of least effort in exactly that duration.
 
-    Effort is the integral of the squared distance of both thrusts from what hovers at the goal.
+    Effort is the integral of the squared distance of both thrusts from hover at the goal.
 
     Args:
-        maneuver: what is flown.
+        maneuver: the transition to plan.
         objective: "time" or "effort".
-        intervals: of the collocation.
-        guess: where to start; a straight line between the ends at the thrust of hover by default.
+        intervals: number of collocation intervals.
+        guess: initial guess; by default a straight line between the ends at hover thrust.
         time_limit: in s, for the solver.
-        tighter: amounts by which constraints on the way are tightened, by their names.
+        tighter: amounts by which path constraints are tightened, by name.
 
     Returns:
         A local optimum; None if the solver finds none.
@@ -115,13 +115,13 @@ def collocate(
     problem.solver("ipopt", {"print_time": False}, options)
     try:
         solution = problem.solve()
-    except RuntimeError:  # so CasADi says that IPOPT did not converge
+    except RuntimeError:  # CasADi's exception if IPOPT does not converge
         return None
     return Collocation(share * float(solution.value(T)), solution.value(X), solution.value(F))
 
 
 def constrain_way(problem: Any, maneuver: Maneuver, X: Any, F: Any, h: Any, tighter: dict[str, float]) -> None:
-    """Subject the problem to the maneuver's constraints on its way, at the nodes; h is the interval in s."""
+    """Add the maneuver's path constraints at the nodes to the problem; h is the interval in s."""
     ca, path, rig = import_casadi(), path_limits(maneuver), maneuver.rig
     reserve = {name: WAY_RESERVE + tighter.get(name, 0.0) for name in PathLimits._fields}
     if path.elevation_min is not None:
@@ -141,16 +141,16 @@ def constrain_way(problem: Any, maneuver: Maneuver, X: Any, F: Any, h: Any, tigh
 
 
 def padded(travel: np.ndarray) -> np.ndarray:
-    """The same with a point far outside at each end."""
+    """Append a point far outside at each end of a floor's travel."""
     return np.concatenate((travel[:1] - FAR, travel, travel[-1:] + FAR))
 
 
 def collocated_trajectory(
     maneuver: Maneuver, objective: str = "effort", time_limit: float | None = None
 ) -> Trajectory | None:
-    """What `collocate` finds, sampled, keeping the limits between the nodes too; None if there is no such.
+    """Sampled solution of `collocate` that meets the limits between the nodes too; None if there is none.
 
-    Where the pitch swings out between two nodes, its limits are tightened by as much, and once more.
+    If the pitch exceeds its limits between two nodes, they are tightened by the excess, and the problem solved again.
     """
     deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
     tight, found, tighter = maneuver, None, dict[str, float]()
@@ -178,7 +178,7 @@ def collocated_trajectory(
 
 
 def sampled(maneuver: Maneuver, found: Collocation) -> Trajectory:
-    """The trajectory of a solution: thrusts linear, states cubic between the nodes."""
+    """Sample a solution: thrusts linear and states cubic between the nodes."""
     p, t = maneuver.parameters, sample_times(maneuver)
     f = np.clip([np.interp(t, found.t, row) for row in found.f], *maneuver.rig.thrust_bounds(maneuver.limits.u))
     rates = np.stack(dynamics(found.x, virtual_input(found.f), p))

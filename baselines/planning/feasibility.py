@@ -1,4 +1,4 @@
-"""What all searches for a plan share: a time limit, the check that plans pass, and what is said where there is none."""
+"""Common parts of all planners: time limit, validation of plans, and the error for an infeasible maneuver."""
 
 import math
 import time
@@ -12,20 +12,20 @@ from heli_gym.baselines.planning.path import path_fault
 from heli_gym.model import fan_thrusts, hover_input, linearise, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
-ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s, between the end of the replayed plan and the goal, for each turn of travel
-LONGEST_PLAN, FARTHEST_GOAL = 1e4, 1e5  # s and rad: beyond, no plan is looked for
+ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s, from the end of the replayed plan to the goal, per turn of travel
+LONGEST_PLAN, FARTHEST_GOAL = 1e4, 1e5  # s and rad, largest accepted maneuver
 LIMIT_TOLERANCE = 1e-6  # V and rad
-GROWTH = 8.0  # exponent by which an unstable flight lets errors grow before its replay starts anew from the plan
-NEAR = 1e-3  # share of its window from the end at which a voltage counts as riding on its limit
-LENGTHENING, ATTEMPTS = 1.4, 16  # factor by which a duration is stretched until a plan is found, and how often
-SHORTEST = 2.0  # s, of any maneuver that is worth trying
+GROWTH = 8.0  # exponent of error growth in an unstable flight at which the replay restarts from the plan
+NEAR = 1e-3  # distance to a limit, as a share of the range, at which a voltage counts as on it
+LENGTHENING, ATTEMPTS = 1.4, 16  # factor on the duration per attempt to find a plan, and number of attempts
+SHORTEST = 2.0  # s, shortest duration to try
 
 
 class InfeasibleManeuver(RuntimeError):
     """No plan was found that meets the limits of a maneuver.
 
     Attributes:
-        shortest_duration: the shortest duration in s for which the same transition was planned; None if none was.
+        shortest_duration: shortest duration in s for which this transition was planned; None if none was found.
     """
 
     def __init__(self, message: str, shortest_duration: float | None = None) -> None:
@@ -35,32 +35,32 @@ class InfeasibleManeuver(RuntimeError):
 
 @dataclass(frozen=True)
 class TimeLimit:
-    """Until when, on the clock of `time.perf_counter`, a maneuver may be planned."""
+    """End of the planning time, on the clock of `time.perf_counter`."""
 
     maneuver: Maneuver
     seconds: float
     end: float
-    rejected: list[str] = field(default_factory=list)  # why plans that were found did not pass the check
+    rejected: list[str] = field(default_factory=list)  # reasons why candidate plans failed validation
 
     def check(self) -> None:
-        """Raises InfeasibleManeuver when the time is over."""
+        """Raise InfeasibleManeuver after the time limit."""
         if time.perf_counter() > self.end:
             raise InfeasibleManeuver(f"no plan for {self.maneuver} within the time limit of {self.seconds:g} s")
 
     @property
     def left(self) -> float:
-        """Seconds."""
+        """Remaining time in s."""
         return self.end - time.perf_counter()
 
 
 def arrival_tolerance(maneuver: Maneuver) -> float:
-    """How far from the goal a replayed plan may end, in rad and rad/s: 1e-3, and as much for each full turn."""
+    """Tolerance of the end of a replayed plan in rad and rad/s: ARRIVAL_TOLERANCE, more for each full turn."""
     turns = abs(maneuver.goal[0] - maneuver.start[0]) / (2.0 * math.pi)
     return ARRIVAL_TOLERANCE * max(1.0, turns)
 
 
 def check_scale(maneuver: Maneuver) -> None:
-    """Raises ValueError for a maneuver that is too short, too long or too far for any plan to be looked for."""
+    """Raise ValueError for a maneuver outside the accepted durations and distances."""
     if not SAMPLE_PERIOD <= maneuver.duration <= LONGEST_PLAN:
         raise ValueError(
             f"duration = {maneuver.duration:g}: must be {SAMPLE_PERIOD:g} s, the sampling time of plans, to "
@@ -71,7 +71,7 @@ def check_scale(maneuver: Maneuver) -> None:
 
 
 def followed_by_hover(trajectory: Trajectory, maneuver: Maneuver) -> Trajectory:
-    """A plan of the maneuver in a shorter time, then hover at the goal for the rest of the maneuver's duration."""
+    """Extend a shorter plan of the maneuver by hover at the goal to the maneuver's duration."""
     left = maneuver.duration - trajectory.duration
     if left <= 0.0:
         return trajectory
@@ -79,7 +79,7 @@ def followed_by_hover(trajectory: Trajectory, maneuver: Maneuver) -> Trajectory:
     t = np.concatenate((trajectory.t, trajectory.duration + rest))
     t[-1] = maneuver.duration
     if maneuver.goal_state is not None:
-        return trajectory  # which does not end in hover
+        return trajectory  # the maneuver does not end in hover
     travel, elevation = maneuver.goal
     hover = maneuver.rig.voltage(np.array(fan_thrusts(hover_input(elevation, maneuver.parameters))))
     x = np.repeat([[travel], [0.0], [elevation], [0.0], [0.0], [0.0]], len(rest), axis=1)
@@ -90,7 +90,7 @@ def followed_by_hover(trajectory: Trajectory, maneuver: Maneuver) -> Trajectory:
 
 
 def start_clock(maneuver: Maneuver, time_limit: float | None) -> TimeLimit:
-    """A time limit from now on. Raises ValueError unless it is positive, or None for none."""
+    """Start a time limit in s now; None sets none. Raises ValueError unless it is positive."""
     if time_limit is not None and not time_limit > 0.0:
         raise ValueError(f"time_limit = {time_limit!r}: must be a positive number of seconds, or None")
     seconds = math.inf if time_limit is None else time_limit
@@ -98,7 +98,7 @@ def start_clock(maneuver: Maneuver, time_limit: float | None) -> TimeLimit:
 
 
 def infeasible(maneuver: Maneuver, shortest: Trajectory | None, clock: TimeLimit) -> InfeasibleManeuver:
-    """The refusal of a maneuver, given the shortest plan of the same that was found."""
+    """Make the error for an infeasible maneuver from the shortest plan found for its transition, if any."""
     if shortest is None:
         reason = f": {clock.rejected[-1]}" if clock.rejected else "; the search found none in other durations either"
         return InfeasibleManeuver(f"no plan found for {maneuver}{reason}")
@@ -108,7 +108,7 @@ def infeasible(maneuver: Maneuver, shortest: Trajectory | None, clock: TimeLimit
         "lower": np.mean(shortest.u < low + NEAR * (high - low)),
         "upper": np.mean(shortest.u > high - NEAR * (high - low)),
     }
-    # What rounds to 0 % is not in the way.
+    # Shares that round to 0 % are not binding.
     riding = " and ".join(f"on the {name} limit {share:.0%}" for name, share in shares.items() if round(share, 2))
     said = [f"its pitch reaches {pitch:.0%} of its limit"] if round(pitch, 2) else []
     said += [f"its voltages ride {riding} of the time"] if riding else []
@@ -121,7 +121,7 @@ def infeasible(maneuver: Maneuver, shortest: Trajectory | None, clock: TimeLimit
 
 
 def validated(maneuver: Maneuver, trajectory: Trajectory | None, clock: TimeLimit | None = None) -> Trajectory | None:
-    """The trajectory if it keeps what `plan` promises; else None, and the clock notes why."""
+    """Return the trajectory if it meets the specification of `plan`; else None, with the reason stored in the clock."""
     fault = None if trajectory is None else fault_of(maneuver, trajectory)
     if fault is not None and clock is not None:
         clock.rejected.append(fault)
@@ -129,9 +129,9 @@ def validated(maneuver: Maneuver, trajectory: Trajectory | None, clock: TimeLimi
 
 
 def replay_ends(maneuver: Maneuver, duration: float) -> np.ndarray:
-    """Times at which a replay starts anew from the plan: but for the ends, only where errors would grow by e^GROWTH.
+    """Restart times of a replay: both ends and, if hover is unstable, times at which errors have grown by e^GROWTH.
 
-    Where hover is unstable by itself, no flight without feedback arrives, however exact its plan is.
+    An open-loop flight about an unstable hover misses the goal, however exact its plan is.
     """
     rates = [
         np.linalg.eigvals(linearise(x, hover_input(x[2], maneuver.parameters), maneuver.parameters)[0]).real.max()
@@ -141,8 +141,8 @@ def replay_ends(maneuver: Maneuver, duration: float) -> np.ndarray:
 
 
 def fault_of(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
-    """The promise of `plan` that a trajectory breaks, found by replaying it through (3); None if it keeps all."""
-    from heli_gym.baselines.planning.replay import replay  # compiles, or loads what was compiled before
+    """Message about the first violated specification of `plan`, from a replay through (3); None if all are met."""
+    from heli_gym.baselines.planning.replay import replay  # compiles, or loads from the cache
 
     limits, t = maneuver.limits, trajectory.t
     v = np.stack(virtual_input(maneuver.rig.thrust(trajectory.u)))

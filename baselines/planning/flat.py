@@ -1,4 +1,4 @@
-"""The flat method: one polynomial for both flat outputs of (3), from which all else follows; `heli_gym.flatness`."""
+"""Flat method: one polynomial for both flat outputs of (3) determines the trajectory; see `heli_gym.flatness`."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from heli_gym.trajectory import Maneuver, Trajectory
 
 
 def flat_trajectory(maneuver: Maneuver) -> Trajectory | None:
-    """Both flat outputs by one polynomial; None if it would take a negative thrust sum, whatever the limits are."""
+    """Trajectory with both flat outputs on one polynomial, limits ignored; None if a thrust sum is negative."""
     t, T = sample_times(maneuver), maneuver.duration
     rise = np.stack([RISE.deriv(n)(t / T) / T**n for n in range(3)])
     travel, elevation = ((goal - start) * rise for start, goal in zip(maneuver.start, maneuver.goal))
@@ -19,5 +19,5 @@ def flat_trajectory(maneuver: Maneuver) -> Trajectory | None:
     except ValueError:
         return None
     x = trajectory.x.copy()
-    x[4:, [0, -1]] = 0.0  # exact ends
+    x[4:, [0, -1]] = 0.0  # exact boundary values
     return Trajectory(t, x, trajectory.u, maneuver.limits, maneuver.rig)

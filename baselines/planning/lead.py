@@ -1,4 +1,4 @@
-"""Voltages that lead: commands at which rotors with lag and dead time turn as a plan says."""
+"""Lead compensation of rotors with lag and dead time: voltage commands for a plan."""
 
 import numpy as np
 
@@ -6,11 +6,11 @@ from heli_gym.trajectory import Trajectory
 
 
 def lead_voltages(plan: Trajectory, lag: float | None = None, delay: float | None = None) -> Trajectory:
-    """The plan with the voltages to command for it, open loop, on rotors of a first-order lag and a dead time.
+    """The plan with its voltages replaced by open-loop commands for rotors with a first-order lag and a dead time.
 
-    The rotors shall turn at the plan's voltages w, so that the command is w + lag dw/dt, a dead time earlier, within
-    the amplifier's limits. Commands before the start are missing, which matters little where the plan starts smoothly.
-    A feedback keeps the plan itself as its reference.
+    The rotors should turn at the plan's voltages w, so the command is w + lag dw/dt, a dead time earlier, within the
+    amplifier's limits. Commands before the start are missing, a small error for a plan with a smooth start. A feedback
+    still takes the original plan as its reference.
 
     Args:
         plan: as `plan` returns it.

@@ -1,4 +1,4 @@
-"""The paper's method, Section III-D: (38) by shooting, or by collocation, and from longer durations to shorter ones."""
+"""The paper's method, Section III-D: (38) by shooting or collocation, with homotopy from longer durations."""
 
 from dataclasses import replace
 
@@ -20,11 +20,11 @@ from heli_gym.trajectory import Maneuver, Trajectory
 FARTHEST, NEAREST = (
     0.1,
     5e-3,
-)  # relative steps in which durations are shortened: the first, and the one that is the last
+)  # relative steps of shortening a duration: first and smallest
 
 
 def plan_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """Section III-D, by shooting, or else by collocation, from (14) or by shortening."""
+    """Plan of Section III-D, by shooting, else by collocation from (14), else by shortening a longer plan."""
     trajectory = plan_by_shooting(maneuver, clock) or checked_solution(
         maneuver, solve_from_unconstrained(maneuver, clock), clock
     )
@@ -38,7 +38,7 @@ def plan_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 
 def plan_fastest_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """Section III-D, shortened as far as it goes."""
+    """Plan of Section III-D of the shortest duration found."""
     _, found = shortened(replace(maneuver, duration=SHORTEST), clock)
     fastest = shortest_checked(maneuver, found, clock)
     if fastest is None or fastest.duration > maneuver.duration:
@@ -47,7 +47,7 @@ def plan_fastest_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 
 def hover_after_fastest(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
-    """The fastest plan, then hover, if that is faster than requested."""
+    """Fastest plan followed by hover, if it is shorter than requested; None otherwise."""
     _, found = shortened(replace(maneuver, duration=SHORTEST), clock)
     fastest = shortest_checked(maneuver, found, clock)
     if fastest is None or fastest.duration > maneuver.duration:
@@ -56,19 +56,19 @@ def hover_after_fastest(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | No
 
 
 def plan_by_shooting(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
-    """Section III-D by shooting, if that leads to a solution and this passes the check."""
+    """Validated plan of Section III-D by shooting; None if there is none."""
     solution = solve_by_shooting(maneuver, check=clock.check)
     return validated(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution), clock)
 
 
 def plan_by_shooting_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
-    """The same, straight from a plan of a similar maneuver."""
+    """Validated plan of Section III-D by shooting, from a plan of a similar maneuver; None if there is none."""
     solution = solve_near(maneuver, near, clock.check)
     return validated(maneuver, solution and ConstrainedProblem(maneuver).trajectory(solution), clock)
 
 
 def solve_from_unconstrained(maneuver: Maneuver, clock: TimeLimit | None = None) -> Solution | None:
-    """The paper's way: (14) first, then (38) from there."""
+    """Solve (14), then (38) from that solution, as in the paper; None if either fails."""
     clock = clock or start_clock(maneuver, None)
     unconstrained = solve_unconstrained(maneuver)
     if unconstrained is None:
@@ -78,11 +78,12 @@ def solve_from_unconstrained(maneuver: Maneuver, clock: TimeLimit | None = None)
 
 
 def shortened(maneuver: Maneuver, clock: TimeLimit) -> tuple[Trajectory | None, list[Solution]]:
-    """Homotopy in the duration, from one that works down to the maneuver's, in steps that halve when one fails.
+    """Shorten a solution to the maneuver's duration by homotopy, in steps that halve after a failure.
 
-    The durations do not depend on the one that is asked for until they come near it: what is found for one is found for
-    every longer one. Where a step leads past it only, to another branch of solutions, the way back up is tried.
-    Returns the plan, if there is one, and solutions of the same in longer and then ever shorter times.
+    The sequence of durations is independent of the maneuver's until it comes near it, so that a method that succeeds
+    for one duration succeeds for every longer one. If only a step past the maneuver's duration converges, to another
+    branch of solutions, the maneuver is solved from there. Returns the plan or None, and the solutions found, in order
+    of decreasing duration.
     """
     found = [first_solution(maneuver, clock)]
     step = FARTHEST
@@ -109,7 +110,7 @@ def shortened(maneuver: Maneuver, clock: TimeLimit) -> tuple[Trajectory | None, 
 
 
 def first_solution(maneuver: Maneuver, clock: TimeLimit) -> Solution:
-    """A solution of (38) in a longer time, found from the unconstrained plan; raises InfeasibleManeuver if none is."""
+    """Solve (38) for a longer duration, from the unconstrained plan. Raises InfeasibleManeuver if that fails."""
     duration = SHORTEST + easy_duration(maneuver) / EASY - 1.0
     for _ in range(ATTEMPTS):
         duration *= LENGTHENING
@@ -121,7 +122,7 @@ def first_solution(maneuver: Maneuver, clock: TimeLimit) -> Solution:
 
 
 def shortest_checked(maneuver: Maneuver, found: list[Solution], clock: TimeLimit) -> Trajectory | None:
-    """The last of the solutions that passes the check, as a trajectory."""
+    """Trajectory of the last solution that passes validation; None if there is none."""
     for solution in reversed(found):
         trajectory = checked_solution(replace(maneuver, duration=float(solution.t[-1])), solution, clock)
         if trajectory is not None:
@@ -130,7 +131,7 @@ def shortest_checked(maneuver: Maneuver, found: list[Solution], clock: TimeLimit
 
 
 def checked_solution(maneuver: Maneuver, solution: Solution | None, clock: TimeLimit) -> Trajectory | None:
-    """The trajectory of a solution of (38), refined, if it passes the check."""
+    """Trajectory of a refined solution of (38); None if it does not pass validation."""
     problem = ConstrainedProblem(maneuver, clock.check)
     fine = solution and problem.solve(solution, FINE)
     return validated(maneuver, fine and problem.trajectory(fine), clock)

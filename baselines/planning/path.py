@@ -1,4 +1,4 @@
-"""Constraints on the way of a plan: elevation, a floor as a function of travel, rates, and the slew of the voltages."""
+"""Path constraints of a plan: elevation, floor as a function of travel, rates, and slew rate of the voltages."""
 
 import math
 from typing import NamedTuple
@@ -7,11 +7,11 @@ import numpy as np
 
 from heli_gym.trajectory import Maneuver, Trajectory
 
-PATH_TOLERANCE = 1e-6  # rad, rad/s, and the share of a slew, by which a plan may exceed a constraint
+PATH_TOLERANCE = 1e-6  # rad, rad/s, and share of a slew rate: tolerance of path constraints
 
 
 class PathLimits(NamedTuple):
-    """The constraints of a maneuver on its way; None where there is none. Elevation is positive down."""
+    """Path constraints of a maneuver; None for a missing one. Elevation is positive down."""
 
     elevation_min: float | None
     elevation_max: float | None
@@ -22,12 +22,12 @@ class PathLimits(NamedTuple):
 
     @property
     def is_empty(self) -> bool:
-        """Whether there is no constraint."""
+        """Whether there are no constraints."""
         return all(value is None for value in self)
 
 
 def path_limits(maneuver: Maneuver) -> PathLimits:
-    """The constraints of a maneuver; the table that the rig stands on is one where both ends are above it."""
+    """Path constraints of a maneuver; they include the rig's table if both ends are above it."""
     limits = maneuver.limits
     elevation_max, table = limits.elevation_max, maneuver.rig.table_elevation
     if elevation_max is None and max(maneuver.start[1], maneuver.goal[1]) < table:
@@ -43,7 +43,7 @@ def path_limits(maneuver: Maneuver) -> PathLimits:
 
 
 def excesses(maneuver: Maneuver, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> dict[str, float]:
-    """Excess of a flight over each constraint of the maneuver, in rad, rad/s and V/s; negative where it is kept."""
+    """Excess of a flight over each path constraint, by name, in rad, rad/s and V/s; negative where it is satisfied."""
     path, found = path_limits(maneuver), {}
     if path.elevation_min is not None:
         found["elevation_min"] = float(path.elevation_min - x[2].min())
@@ -61,7 +61,7 @@ def excesses(maneuver: Maneuver, t: np.ndarray, x: np.ndarray, u: np.ndarray) ->
 
 
 def path_fault(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
-    """The first constraint that a plan exceeds, and by how much; None if it keeps all."""
+    """Message about the first violated path constraint, with its excess; None if all are satisfied."""
     for name, excess in excesses(maneuver, trajectory.t, trajectory.x, trajectory.u).items():
         slew = maneuver.limits.slew or 0.0
         if excess > PATH_TOLERANCE * (slew if name == "slew" else 1.0):
@@ -72,7 +72,7 @@ def path_fault(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
 
 
 def check_ends(maneuver: Maneuver) -> None:
-    """Raises ValueError where an end of the maneuver itself exceeds a constraint, by its name."""
+    """Raise ValueError, which names the constraint, if an end of the maneuver violates one."""
     for name, x in zip(("start", "goal"), maneuver.ends):
         rest = excesses(maneuver, np.arange(2.0), np.stack((x, x), axis=1), np.zeros((2, 2)))
         for constraint, excess in rest.items():

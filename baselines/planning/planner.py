@@ -1,4 +1,4 @@
-"""Maneuver in, Trajectory out: every method, and the check that all plans pass."""
+"""Planning functions, from a Maneuver to a validated Trajectory, by every method."""
 
 import math
 from collections.abc import Callable
@@ -34,16 +34,16 @@ from heli_gym.baselines.planning.path import check_ends
 from heli_gym.parameters import Limits
 from heli_gym.trajectory import Maneuver, Trajectory
 
-PITCH_RESERVES = (0.0, 1e-4)  # shares of the pitch limits that the fastest spline leaves: flown, it is off by 1e-5 rad
+PITCH_RESERVES = (0.0, 1e-4)  # shares of the pitch limits in reserve for the fastest spline's replay error of 1e-5 rad
 RESERVE_ACCURACY = 5e-3  # of the largest reserve
 FLAT_ACCURACY = 1e-3  # relative, of the shortest duration of a flat plan
-WORTH_NAMING = 0.01  # share of the duration that a limit must cost, by its whole window, to be called in the way
+WORTH_NAMING = 0.01  # share of the duration, per whole range of a limit, from which the limit counts as binding
 
 
 def plan_unconstrained(maneuver: Maneuver) -> Trajectory:
-    """Section III-B: the trajectory of (14), which ignores the limits.
+    """Trajectory of (14), Section III-B, which ignores the limits.
 
-    Raises InfeasibleManeuver if there is none: below some duration the pitch would have to pass 90 degrees.
+    Raises InfeasibleManeuver if there is none: short durations require more than 90 degrees of pitch.
     """
     check_scale(maneuver)
     solution = solve_unconstrained(maneuver, FINE)
@@ -62,36 +62,36 @@ def plan(
     objective: str | None = None,
     start_state: ArrayLike | None = None,
 ) -> Trajectory:
-    """A trajectory between the maneuver's ends, at rest if nothing else is given, that meets its limits.
+    """Plan a trajectory between the maneuver's ends that meets its limits.
 
-    Whatever the method, what is returned has been replayed through (3) by an adaptive integrator: it ends within
-    1e-3 rad and 1e-3 rad/s of the goal for each turn of travel, and stays within the limits to 1e-6 V and rad.
+    Every returned plan has been validated by a replay through (3) with an adaptive integrator: it ends within 1e-3 rad
+    and 1e-3 rad/s of the goal per turn of travel, and meets the limits to 1e-6 V and 1e-6 rad.
 
     Args:
-        maneuver: what is asked for.
+        maneuver: the transition to plan.
         method: one of
-            "paper", which solves (38) with the ansatz (39), (40), the unconstrained plan being the initial guess, by
-            shooting or by collocation. If that finds nothing, it starts from a longer duration, which is easier, and
-            shortens it step by step;
-            "spline", the smoothest plan of many more free parameters, see `spline`;
+            "paper", which solves (38) with the ansatz (39), (40) by shooting or by collocation, from the unconstrained
+            plan as the initial guess. If that fails, it solves a longer, easier duration and shortens it step by step;
+            "spline", the smoothest plan with many more free parameters, see `spline`;
             "flat", polynomials in the flat outputs, see `flat`;
-            "collocation", the plan of least effort, see `collocation`; needs the extra `ocp`;
-            "auto", which takes the paper's plan if shooting finds one, and else the spline's.
-        time_limit: in s, after which the search is given up; looked at every few ms. Compiling, at the first use after
-            an installation, takes some 20 s of it.
-        near: a plan of a similar maneuver, by whatever method, from which "paper", "spline" and "auto" then start;
-            where that leads to nothing, they start as they would without.
-        objective: by splines, of all plans in the maneuver's duration the "smoothest", that of least "effort" (the mean
-            square of the distance of the thrusts from those of hover at the goal) or that of most "reserve" (the share
-            of the windows of voltages and pitch that is left free); "shortest" is that of `plan_fastest`.
-        start_state: (6,) from which to plan, measured in flight say, in place of the maneuver's start; with `near`, the
-            plan that was flown, whose last part is the guess.
+            "collocation", the plan of least effort, see `collocation`; the extra `ocp` must be installed;
+            "auto", which takes the paper's plan if shooting finds one, otherwise the spline's.
+        time_limit: in s, after which the search ends; checked every few ms. It includes compilation, about 20 s at the
+            first use after an installation.
+        near: a plan of a similar maneuver by any method, the initial guess of "paper", "spline" and "auto"; if that
+            fails, they start from their usual guess.
+        objective: of a spline in the maneuver's duration: "smoothest"; least "effort", the mean squared distance of the
+            thrusts from hover at the goal; or most "reserve", the unused share of the voltage and pitch ranges.
+            "shortest" is the objective of `plan_fastest`.
+        start_state: (6,) instead of the maneuver's start, for example measured in flight; `near` is then the plan in
+            flight, and its last part the initial guess.
 
     Raises:
         ValueError: if the method is unknown or cannot start from a plan, the objective is unknown or of another method,
-            an end breaks a constraint or is not at rest where the method needs that, or the time limit is not positive.
-        InfeasibleManeuver: if the method finds no such trajectory; names the constraint in the way and the shortest
-            duration that it can plan; or if the time is over.
+            an end violates a constraint or is in motion where the method requires rest, or the time limit is not
+            positive.
+        InfeasibleManeuver: if the method finds no plan (names the binding constraint and the shortest duration that it
+            can plan), or after the time limit.
     """
     if method not in METHODS:
         raise ValueError(f"method = {method!r}: must be one of {', '.join(METHODS)}")
@@ -124,22 +124,22 @@ def plan(
 def plan_fastest(
     maneuver: Maneuver, method: str = "auto", reserve: float = 0.0, time_limit: float | None = None
 ) -> Trajectory:
-    """The plan of the shortest duration that a method finds, up to the maneuver's own.
+    """Plan of the shortest duration that a method finds, at most the maneuver's.
 
     Args:
-        maneuver: what is asked for.
+        maneuver: the transition to plan.
         method: "spline", "paper", "flat" or "collocation", as of `plan`; "auto" is "spline".
-        reserve: for the feedback, the share of the voltage window and of the pitch window that the plan leaves free,
-            half of it at each end.
-        time_limit: in s, after which the search is given up.
+        reserve: share of the voltage range and of the pitch range that the plan leaves to the feedback, half of it at
+            each end.
+        time_limit: in s, after which the search ends.
 
     Returns:
-        A plan that passes the check of `plan`, under the maneuver's own limits.
+        A plan validated like those of `plan`, with the maneuver's own limits.
 
     Raises:
-        ValueError: if an argument is none of these, if start and goal are the same, or if the windows that are left do
-            not even permit hover at the start or at the goal.
-        InfeasibleManeuver: if the shortest duration found is longer than the maneuver's; or if the time is over.
+        ValueError: if an argument is invalid, if start and goal are equal, or if hover at the start or at the goal
+            exceeds the reduced ranges.
+        InfeasibleManeuver: if the shortest duration found is longer than the maneuver's, or after the time limit.
     """
     if method not in FASTEST:
         raise ValueError(f"method = {method!r}: must be one of {', '.join(FASTEST)}")
@@ -156,7 +156,7 @@ def plan_fastest(
 
 
 def with_reserve(limits: Limits, reserve: float) -> Limits:
-    """Narrower windows of voltages and pitch, by a share, about the same centres."""
+    """Limits with voltage and pitch ranges narrowed by a share about the same centres."""
     (u_min, u_max), (pitch_min, pitch_max) = (
         (low + 0.5 * reserve * (high - low), high - 0.5 * reserve * (high - low))
         for low, high in (limits.u, limits.pitch)
@@ -168,7 +168,7 @@ def with_reserve(limits: Limits, reserve: float) -> Limits:
 
 
 def plan_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """The paper's plan, where shooting finds one, or else a spline; where there is none, another method's."""
+    """The paper's plan if shooting finds one, otherwise a spline, otherwise a plan by another method."""
     trajectory = plan_by_shooting(maneuver, clock)
     if trajectory is not None:
         return trajectory
@@ -186,17 +186,17 @@ def plan_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 
 def plan_fastest_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """The fastest spline; where there is none, another method's."""
+    """Fastest spline, otherwise the fastest plan by another method."""
     return first_of(("spline", "collocation", "flat", "paper"), FASTEST, maneuver, clock)
 
 
 def first_of(names: tuple[str, ...], methods: dict, maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """The plan of the first method that finds one; the first refusal that names a duration ends the search."""
+    """Plan of the first method that finds one; the first error with a shortest duration ends the search."""
     refusals = []
     for name in names:
         try:
             return methods[name](maneuver, clock)
-        except ImportError:  # of CasADi
+        except ImportError:  # CasADi is missing
             continue
         except InfeasibleManeuver as refusal:
             clock.check()
@@ -207,7 +207,7 @@ def first_of(names: tuple[str, ...], methods: dict, maneuver: Maneuver, clock: T
 
 
 def auto_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
-    """The same from a plan of a similar maneuver, if that leads anywhere."""
+    """Plan by shooting or splines with a plan of a similar maneuver as the guess; None if that fails."""
     return (
         plan_by_shooting_near(maneuver, near, clock)
         or plan_by_shooting(maneuver, clock)
@@ -216,12 +216,12 @@ def auto_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Traject
 
 
 def spline_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
-    """The smoothest spline from a plan of a similar maneuver, if that leads anywhere."""
+    """Smoothest spline from a plan of a similar maneuver; None if that fails."""
     return validated(maneuver, spline.plan_near(maneuver, near), clock)
 
 
 def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """The smoothest spline from a plain guess, or else from the fastest one, if that is fast enough."""
+    """Smoothest spline from the initial guess, otherwise by lengthening the fastest spline if that is short enough."""
     trajectory = validated(maneuver, spline.plan_smoothest(maneuver), clock)
     if trajectory is not None:
         return trajectory
@@ -239,7 +239,7 @@ def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 
 def plan_fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """The spline of the shortest duration."""
+    """Spline of the shortest duration."""
     fastest, trajectory = fastest_spline(maneuver, clock)
     if fastest.duration > maneuver.duration:
         raise slower_than_requested(maneuver, fastest)
@@ -247,20 +247,20 @@ def plan_fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 
 def plan_objective(maneuver: Maneuver, clock: TimeLimit, optimum: Callable) -> Trajectory:
-    """The spline of an objective in the maneuver's duration; where it is not found, that of `plan_spline`."""
+    """Spline for an objective in the maneuver's duration; if that fails, the plan of `plan_spline`."""
     found = validated(maneuver, spline.plan_smoothest(maneuver, optimum), clock)
     return plan_spline(maneuver, clock) if found is None else found
 
 
 def plan_reserve(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """The smoothest spline in the narrowest windows of voltages and pitch, found by bisection of the reserve."""
+    """Smoothest spline in the narrowest voltage and pitch ranges, found by bisection of the reserve."""
     best, low, high = plan_spline(maneuver, clock), 0.0, 1.0
     while high - low > RESERVE_ACCURACY:
         clock.check()
         share = 0.5 * (low + high)
         try:
             narrower = replace(maneuver, limits=with_reserve(maneuver.limits, share))
-        except ValueError:  # not even hover is left
+        except ValueError:  # hover exceeds the narrowed limits
             high = share
             continue
         found = validated(narrower, spline.plan_near(narrower, best) or spline.plan_smoothest(narrower))
@@ -272,7 +272,7 @@ def plan_reserve(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 
 def slower_than_requested(maneuver: Maneuver, fastest: spline.Spline) -> InfeasibleManeuver:
-    """The refusal of a maneuver that takes at least as long as the fastest spline."""
+    """Make the error for a maneuver that is shorter than the fastest spline."""
     return InfeasibleManeuver(
         f"no plan for {maneuver}; the shortest found takes {fastest.duration:.2f} s: "
         f"{binding_limits(maneuver, fastest)}",
@@ -281,7 +281,7 @@ def slower_than_requested(maneuver: Maneuver, fastest: spline.Spline) -> Infeasi
 
 
 def fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> tuple[spline.Spline, Trajectory]:
-    """The fastest spline, checked; raises InfeasibleManeuver if there is none."""
+    """Fastest spline and its validated trajectory. Raises InfeasibleManeuver if there is none."""
     limits = maneuver.limits
     for share in PITCH_RESERVES:
         pitch_min, pitch_max = (1.0 - share) * limits.pitch_min, (1.0 - share) * limits.pitch_max
@@ -296,7 +296,7 @@ def fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> tuple[spline.Spline,
 
 
 def binding_limits(maneuver: Maneuver, fastest: spline.Spline) -> str:
-    """What is in the way of a faster plan: the limits, and by their multipliers what a little more would save."""
+    """Message about the binding limits of the fastest plan, with the time saved by relaxing each, from multipliers."""
     limits = maneuver.limits
     low, high, pitch_low, pitch_high = fastest.duration * fastest.multipliers
     slope_low, slope_high = maneuver.rig.thrust_slope(np.array(limits.u) * np.ones((2, 1))).max(axis=0)
@@ -318,7 +318,7 @@ def binding_limits(maneuver: Maneuver, fastest: spline.Spline) -> str:
 
 
 def plan_flat(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """Polynomials in the flat outputs."""
+    """Plan with polynomials in the flat outputs."""
     trajectory = validated(maneuver, flat_trajectory(maneuver), clock)
     if trajectory is None:
         raise infeasible(maneuver, flat_above(maneuver, maneuver.duration, clock), clock)
@@ -326,7 +326,7 @@ def plan_flat(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 
 def plan_fastest_flat(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """Polynomials in the flat outputs, as fast as the limits permit."""
+    """Fastest plan with polynomials in the flat outputs."""
     fastest = flat_above(maneuver, 0.0, clock)
     if fastest is None or fastest.duration > maneuver.duration:
         raise infeasible(maneuver, fastest, clock)
@@ -334,7 +334,7 @@ def plan_fastest_flat(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 
 def flat_above(maneuver: Maneuver, shortest: float, clock: TimeLimit) -> Trajectory | None:
-    """By bisection, the shortest flat plan that takes longer than the shortest duration given."""
+    """Shortest flat plan of a duration above `shortest`, by bisection; None if there is none."""
 
     def attempt(duration: float) -> Trajectory | None:
         clock.check()
@@ -355,7 +355,7 @@ def flat_above(maneuver: Maneuver, shortest: float, clock: TimeLimit) -> Traject
 
 
 def plan_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """Least effort, by direct collocation."""
+    """Plan of least effort, by direct collocation."""
     trajectory = validated(maneuver, collocated_trajectory(maneuver, "effort", clock.left), clock)
     if trajectory is None:
         clock.check()
@@ -364,7 +364,7 @@ def plan_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 
 def plan_fastest_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
-    """Least time, by direct collocation."""
+    """Plan of least time, by direct collocation."""
     fastest = collocated_above(maneuver, clock)
     if fastest is None or fastest.duration > maneuver.duration:
         raise infeasible(maneuver, fastest, clock)
@@ -372,7 +372,7 @@ def plan_fastest_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory
 
 
 def collocated_above(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
-    """Least time, by direct collocation, whatever the maneuver's duration."""
+    """Plan of least time by direct collocation, regardless of the maneuver's duration; None if there is none."""
     easy = replace(maneuver, duration=max(maneuver.duration, spline.easy_duration(maneuver)))
     trajectory = collocated_trajectory(easy, "time", clock.left)
     clock.check()

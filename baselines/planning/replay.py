@@ -1,6 +1,6 @@
-"""A plan's voltages flown once more through equation (3), by an adaptive integrator, compiled.
+"""Replay of a plan's voltages through equation (3) by a compiled adaptive integrator.
 
-Dormand and Prince's pair of orders 5 and 4, on `heli_gym.model.dynamics` as it stands.
+The integrator is the Dormand-Prince pair of orders 5 and 4, on the unmodified `heli_gym.model.dynamics`.
 """
 
 import math
@@ -14,7 +14,7 @@ from heli_gym.model import dynamics
 from heli_gym.parameters import HelicopterParameters
 
 TOLERANCE = 1e-8  # of a step, in rad and rad/s, absolute and relative
-LONGEST = 0.05  # s, of a step: voltages have corners
+LONGEST = 0.05  # s, largest step, since voltages have corners
 NODES = (0.0, 0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0)
 STAGES = (
     (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
@@ -30,7 +30,7 @@ ERROR = (71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.
 
 @cache
 def replay_kernel() -> Callable:
-    """The compiled `replay`; compiled at its first call, and then kept on disk for as long as (3) stays what it is."""
+    """Compile `replay` at its first call, cached on disk until (3) changes."""
 
     def replay(x, v, times, parameters):
         x, new, rates = x.copy(), np.empty(6), np.empty((7, 6))
@@ -75,8 +75,8 @@ def replay_kernel() -> Callable:
 
 
 def replay(x: np.ndarray, v: np.ndarray, t: np.ndarray, parameters: HelicopterParameters) -> tuple:
-    """The state (6,) at the end, and the lowest and highest pitch on the way, of a flight from x (6,).
+    """Final state (6,), and lowest and highest pitch, of a flight from the state x (6,).
 
-    v (2, K) in N are the virtual inputs at the times t (K,) in s, linear in between.
+    v (2, K) in N are the virtual inputs at the times t (K,) in s, linear between them.
     """
     return replay_kernel()(x, v, t, parameters)

@@ -1,4 +1,4 @@
-"""A new maneuver in every episode: what an environment takes as `reference=` in place of one Trajectory."""
+"""Sampler of maneuvers for the argument `reference` of an environment: a new plan in every episode."""
 
 import math
 from dataclasses import dataclass, field
@@ -11,26 +11,26 @@ from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.rig import Rig
 from heli_gym.trajectory import Maneuver, Trajectory
 
-DRAWS = 1000  # at most, until one can be planned
+DRAWS = 1000  # largest number until a plan is found
 
 
 @dataclass(frozen=True)
 class ManeuverSampler:
-    """Plans of random transitions, all of one duration. Called with a random generator, it draws one.
+    """Plans of random transitions of one duration; calling it with a random generator draws one.
 
-    Each is the smoothest plan of `spline` and has passed the check of `plan`. What cannot be planned straight away is
-    drawn again. A plain value: it can be compared, pickled, and sent to other processes.
+    Each plan is the smoothest one of `spline`, validated like those of `plan`; a transition without a plan is drawn
+    again. A sampler is a plain value: it can be compared, pickled, and sent to other processes.
 
     Args:
         duration: of every plan, in s.
         travel: range of the travel, in rad; it starts at zero.
         elevation: range of the elevations at the start and at the goal, in rad.
-        limits: what a plan may use; the defaults leave the feedback a reserve to (9).
-        parameters: the helicopter that flies, where no rig is given.
+        limits: limits of the plans; the defaults leave the feedback a reserve to (9).
+        parameters: parameters of the helicopter, if no rig is given.
         rig: the rig that flies; limits must be within its own.
 
     Raises:
-        ValueError: if a range is not finite or upside down, or hover anywhere in it takes more than the limits.
+        ValueError: if a range is not finite or reversed, or hover at an elevation in it exceeds the limits.
     """
 
     duration: float = 12.0
@@ -46,15 +46,15 @@ class ManeuverSampler:
             if not (math.isfinite(low) and math.isfinite(high) and low <= high):
                 raise ValueError(f"{name} = {getattr(self, name)!r}: must be finite (low, high) in rad")
         for corner in self.elevation:
-            self.maneuver(self.travel[1], corner, corner)  # which refuses what cannot hover
+            self.maneuver(self.travel[1], corner, corner)  # raises ValueError without hover
 
     def maneuver(self, travel: float, start: float, goal: float) -> Maneuver:
-        """The transition by a travel, between two elevations, all in rad."""
+        """Maneuver by a travel, between two elevations, all in rad."""
         parameters = self.parameters if self.rig is None else None
         return Maneuver((0.0, start), (travel, goal), self.duration, self.limits, parameters, self.rig)  # type: ignore
 
     def __call__(self, rng: np.random.Generator) -> Trajectory:
-        """The plan of a random transition. Raises RuntimeError if there hardly is any in this duration."""
+        """Plan a random transition. Raises RuntimeError if DRAWS transitions have no plan in this duration."""
         for _ in range(DRAWS):
             maneuver = self.maneuver(rng.uniform(*self.travel), *rng.uniform(*self.elevation, size=2))
             trajectory = validated(maneuver, spline.plan_smoothest(maneuver))

@@ -1,9 +1,9 @@
-"""Section III-B with more free parameters: setup functions that are splines, and the limits as inequalities.
+"""Section III-B with more free parameters: splines as setup functions, and the limits as inequalities.
 
-Elevation and pitch are uniform cubic B-splines over t/T. By the inversion (13) and the travel's dynamics (14a) their
-coefficients determine everything else: the travel has to arrive, which is two equations, the thrusts have the bounds
-(15), and a spline is where its coefficients are, so that those of the pitch get the limits (7). Of all that meets
-this, an interior-point method finds the smoothest plan in a given time, or the fastest.
+Elevation and pitch are uniform cubic B-splines over t/T. By the inversion (13) and the travel's dynamics (14a), their
+coefficients determine the plan. The arrival of the travel gives two equations; the thrusts have the bounds (15); the
+limits (7) bound the pitch coefficients, since a spline lies in their convex hull. An interior-point method finds the
+smoothest plan for a given duration, or the fastest plan.
 """
 
 import math
@@ -20,47 +20,47 @@ from heli_gym.baselines.planning.path import excesses, path_limits
 from heli_gym.model import dynamics, hover_input, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
-SEGMENTS = (30, 60)  # of the splines: few are faster and smoother
-SHORTEST_SEGMENTS = (36, 72, 144)  # for the shortest times there must be more
-REST = 3  # coefficients at each end that its position determines, with no velocity and no acceleration
-SMOOTH, SOONEST = 1e-3, 1e-6  # where the barrier ends: of the smoothest plan, which need not touch limits, the fastest
-COLD, LUKEWARM, WARM = 0.1, 1e-2, 1e-3  # where it starts: from a guess, from a solution of another problem, of the same
-EXACT = 1e-4  # where the barrier ends for the very smoothest plan, as a share of its roughness
-EFFORT, EFFORT_ROUGHNESS = 10.0, 1e-4  # weights of the squared distance from the thrusts of hover, and of smoothness
+SEGMENTS = (30, 60)  # of the splines, tried in this order: fewer are faster and smoother
+SHORTEST_SEGMENTS = (36, 72, 144)  # the shortest durations take more segments
+REST = 3  # coefficients at each end, fixed by its position with zero velocity and acceleration
+SMOOTH, SOONEST = 1e-3, 1e-6  # final barrier parameter: smoothest plan, which seldom touches limits; fastest plan
+COLD, LUKEWARM, WARM = 0.1, 1e-2, 1e-3  # initial one: from a guess, from a solution of another or of the same problem
+EXACT = 1e-4  # final barrier parameter for the exactly smoothest plan, as a share of its roughness
+EFFORT, EFFORT_ROUGHNESS = 10.0, 1e-4  # weights of the squared distance from hover thrusts, and of smoothness
 STEEPEST = 0.5 * math.pi  # rad, of any elevation
-ROUGHNESS = 1e-4  # weight of the smoothness, squared N/s over time, against the logarithm of the duration
+ROUGHNESS = 1e-4  # weight of smoothness (integral of squared N/s) relative to the logarithm of the duration
 TOLERANCE = 1e-7  # rad/s² and N
 ITERATIONS = {"fixed": 200, "fastest": 1000}
-SWING = 0.8  # share of the pitch limit to which the guess swings
-EASY = 2.0  # how much more time than travel alone takes, about, the search for the fastest plan starts from
-STRETCHES = (1.0, 1.6, 0.7, 1.25, 2.5, 4.0)  # of that, from which it starts until one leads to a plan
-LEAST_STRETCH = 0.05  # share of the way from one duration to another at which lengthening gives up
-APPROACH = (0.8, 0.6, 0.4, 0.2, 0.0)  # shares of what a start exceeds a constraint by
-TIGHTENINGS = 5  # of the thrust bounds, where a plan exceeds them between the points at which they hold
+SWING = 0.8  # pitch amplitude of the guess, as a share of the pitch limit
+EASY = 2.0  # ratio of the search's initial duration to a rough bound for travel alone
+STRETCHES = (1.0, 1.6, 0.7, 1.25, 2.5, 4.0)  # factors on that duration, tried until one gives a plan
+LEAST_STRETCH = 0.05  # smallest step of lengthening, as a share of the interval of durations
+APPROACH = (0.8, 0.6, 0.4, 0.2, 0.0)  # decreasing shares of the initial excess over a constraint
+TIGHTENINGS = 5  # largest number of times that thrust bounds are tightened for an excess between collocation points
 
 
 class Spline(NamedTuple):
-    """A transition, by the coefficients (M, 2) of elevation and pitch in rad, in a duration in s."""
+    """Transition given by the coefficients (M, 2) of elevation and pitch in rad, and a duration in s."""
 
     coefficients: np.ndarray
     duration: float
-    # Sums over time of the multipliers of the bounds: thrusts low and high, per N, pitch low and high, per rad. For the
-    # fastest plan, by how much the logarithm of its duration would change with each.
+    # Multipliers of the bounds, summed over time: thrusts low and high, per N, pitch low and high, per rad. For the
+    # fastest plan, they are the sensitivities of the logarithm of its duration to the bounds.
     multipliers: np.ndarray
-    by_path: tuple[tuple[str, float], ...] = ()  # the same of the constraints on the way, per rad, rad/s or N/s
+    by_path: tuple[tuple[str, float], ...] = ()  # likewise of the path constraints, per rad, rad/s or N/s
 
 
 class Bounds(NamedTuple):
-    """What the optimisation keeps: bounds of the thrusts in N, and how much tighter the way is than requested."""
+    """Bounds in the optimisation: thrusts in N, and amounts by which path constraints are tightened."""
 
     thrusts: tuple[float, float]
     on_the_way: bool = False
     tighter: Mapping[str, float] = MappingProxyType({})
-    slopes: np.ndarray | None = None  # (2, N) of the thrust maps in N/V along the plan before, for the slew
+    slopes: np.ndarray | None = None  # (2, N) of the thrust maps in N/V along the previous plan, for the slew rate
 
 
 def guess(maneuver: Maneuver, duration: float, segments: int) -> Spline:
-    """The elevation as in Section III-B; the pitch one period of a sine, about as the travel needs it."""
+    """Initial guess: elevation as in Section III-B, and one period of a sine as pitch, scaled to the travel."""
     low, high = maneuver.limits.pitch
     share = np.clip(np.arange(-1, segments + 2) / segments, 0.0, 1.0)
     (angle, rate, lift, *_), (new_angle, new_rate, new_lift, *_) = maneuver.ends
@@ -74,7 +74,7 @@ def guess(maneuver: Maneuver, duration: float, segments: int) -> Spline:
 
 
 def tilted_acceleration(maneuver: Maneuver) -> float:
-    """The travel's acceleration in rad/s² per tangent of the pitch, at the elevation of the end where it is smaller."""
+    """Travel acceleration in rad/s² per tangent of the pitch: the smaller one of hover at start and goal."""
     tilted = (
         internal_dynamics((0.0, 0.0, elevation, 0.0, 0.25 * math.pi, 0.0), 0.0, maneuver.parameters)
         for _, elevation in (maneuver.start, maneuver.goal)
@@ -83,12 +83,12 @@ def tilted_acceleration(maneuver: Maneuver) -> float:
 
 
 def guess_from(maneuver: Maneuver, near: Trajectory, segments: int) -> Spline:
-    """The functions of a plan, about, between the ends of the maneuver; from a state in flight, its last part."""
+    """Spline that approximates a plan between the maneuver's ends; from a state in flight, the plan's last part."""
     share = np.arange(-2, segments + 3) / segments
     begin = 0.0 if maneuver.start_state is None else max(0.0, near.duration - maneuver.duration)
     x, u = near(begin + (near.duration - begin) * share)
     y = x[[2, 4]].T
-    coefficients = (8.0 * y[1:-1] - y[:-2] - y[2:]) / 6.0  # which reproduces cubic polynomials
+    coefficients = (8.0 * y[1:-1] - y[:-2] - y[2:]) / 6.0  # quasi-interpolant, exact for cubic polynomials
     accelerations = None
     if maneuver.start_state is not None:
         at_start = dynamics(x[:, 2], virtual_input(near.rig.thrust(u[:, 2])), maneuver.parameters)
@@ -99,7 +99,7 @@ def guess_from(maneuver: Maneuver, near: Trajectory, segments: int) -> Spline:
 def with_ends(
     coefficients: np.ndarray, maneuver: Maneuver, duration: float, accelerations: tuple[float, float] | None = None
 ) -> np.ndarray:
-    """The same (M, 2), but from start to goal; without acceleration but at the start, where there may be one."""
+    """Coefficients (M, 2) with the maneuver's start and goal, at zero acceleration unless given for the start."""
     h = duration / (len(coefficients) - REST)
     places = (slice(0, REST), slice(-REST, None))
     for place, x, acceleration in zip(places, maneuver.ends, (accelerations, None)):
@@ -110,7 +110,7 @@ def with_ends(
 
 
 def refined(spline: Spline) -> Spline:
-    """The same functions on twice as many segments."""
+    """Represent the same functions on twice as many segments."""
     c = spline.coefficients
     fine = np.empty((2 * len(c) - 3, 2))
     fine[0::2] = 0.5 * (c[:-1] + c[1:])
@@ -119,12 +119,12 @@ def refined(spline: Spline) -> Spline:
 
 
 def smoothest(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = COLD) -> Spline | None:
-    """The smoothest transition in the maneuver's duration from a guess; None if that leads to none."""
+    """Smoothest transition in the maneuver's duration, from a guess; None without convergence."""
     return optimise(maneuver, start, bounds, float(maneuver.duration), (1.0, 0.0, 0.0), barrier, SMOOTH)
 
 
 def exactly_smoothest(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = COLD) -> Spline | None:
-    """The same, whatever the distance to the limits: the barrier ends where it no longer counts."""
+    """Smoothest transition with a negligible barrier, regardless of the distance to the limits."""
     found = smoothest(maneuver, start, bounds, barrier)
     if found is None:
         return None
@@ -135,21 +135,21 @@ def exactly_smoothest(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier
 
 
 def least_effort(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = COLD) -> Spline | None:
-    """The transition whose thrusts are closest to those of hover at the goal, in the mean square."""
+    """Transition with the least mean squared distance of the thrusts from those of hover at the goal."""
     return optimise(
         maneuver, start, bounds, float(maneuver.duration), (EFFORT_ROUGHNESS, 0.0, EFFORT), barrier, SOONEST
     )
 
 
 def fastest(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = COLD) -> Spline | None:
-    """The fastest transition from a guess; None if that leads to none."""
+    """Fastest transition, from a guess; None without convergence."""
     return optimise(maneuver, start, bounds, start.duration, (ROUGHNESS, 1.0, 0.0), barrier, SOONEST)
 
 
 def smoothness_weights(maneuver: Maneuver, duration: float, segments: int) -> np.ndarray:
-    """Weights (2,) of squared third differences that make their sum the integral of the squared rates of v1 and v2.
+    """Weights (2,) of squared third differences: their sum is then the integral of the squared rates of v1 and v2.
 
-    Of those rates, as far as they accelerate the outputs.
+    Only the part of v1 and v2 that accelerates elevation and pitch counts.
     """
     p = maneuver.parameters
     return np.array([p.b2, p.b3]) ** -2.0 * duration / segments * (segments / duration) ** 6
@@ -164,12 +164,12 @@ def optimise(
     barrier: float,
     last_barrier: float,
 ) -> Spline | None:
-    """One run of the interior-point method; None if it does not converge.
+    """Run the interior-point method once; None if it does not converge.
 
-    The weights are those of the smoothness, of the logarithm of the duration, which is free if this counts, and of the
-    effort.
+    The weights are those of smoothness, logarithm of the duration and effort; the duration is free if its weight is
+    positive.
     """
-    from heli_gym.baselines.planning.spline_kernel import compiled, run  # compiles, or loads what was compiled before
+    from heli_gym.baselines.planning.spline_kernel import compiled, run  # compiles, or loads from the cache
 
     p, segments = maneuver.parameters, len(start.coefficients) - REST
     roughness, time_weight, effort = weights
@@ -209,7 +209,7 @@ def optimise(
 
 
 def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[np.ndarray, ...]:
-    """The constraints on the way for the interior-point method: names (R,), kinds and indices (R, 2), bounds (R,)."""
+    """Path constraints for the interior-point method: names (R,), kinds and indices (R, 2), bounds (R,)."""
     from heli_gym.baselines.planning import spline_kernel as kernel
 
     path = path_limits(maneuver)
@@ -254,10 +254,10 @@ def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[
 
 
 def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -> tuple[Spline, Trajectory] | None:
-    """What `smoothest` or another objective finds, and its samples, which keep the limits; None if there is none such.
+    """Optimal spline and its trajectory within the limits; None if there is none. `optimum` is `smoothest` or another.
 
-    Constraints on the way count from when a plan exceeds them on; so does what a plan exceeds between the points at
-    which bounds hold.
+    Path constraints are added when a plan first violates them, and bounds are tightened by the excess of a plan between
+    the collocation points.
     """
     limits = low, high = maneuver.rig.thrust_bounds(maneuver.limits.u)
     tighter: dict[str, float] = {}
@@ -285,7 +285,7 @@ def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -
 
 
 def approached(maneuver: Maneuver, optimum, start: Spline, bounds: Bounds) -> Spline | None:
-    """The optimum from a start that exceeds the constraints on the way, by shares of its excess that become smaller."""
+    """Optimum from a start that violates path constraints, by homotopy: their excess is reduced in steps."""
     for share in APPROACH:
         looser = {name: -share * excess for name, excess in bounds.tighter.items()}
         found = optimum(maneuver, start, bounds._replace(tighter=looser), LUKEWARM)
@@ -305,7 +305,7 @@ def sampled(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray,
     (dy1, dy2), damping = dy, travel_damping(maneuver.parameters)
     f, acceleration = compiled(thrusts_along)(y, dy, ddy, maneuver.parameters)
     h = t[1]
-    # what the travel would do but for its damping is linear in between, which at this period is exact to 1e-7
+    # the undamped part of the travel rate is linear between samples, exact to 1e-7 at this period
     growth = np.exp(damping * t)
     acceleration = growth * acceleration
     ends = maneuver.ends
@@ -323,7 +323,7 @@ def sampled(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray,
 
 
 def plan_smoothest(maneuver: Maneuver, optimum: Callable = smoothest) -> Trajectory | None:
-    """The plan of an objective in the maneuver's duration, straight from the guess, with as few segments as suffice."""
+    """Plan for an objective in the maneuver's duration, from the initial guess, with the fewest segments that work."""
     for segments in SEGMENTS:
         found = planned(maneuver, optimum, guess(maneuver, maneuver.duration, segments))
         if found is not None:
@@ -332,7 +332,7 @@ def plan_smoothest(maneuver: Maneuver, optimum: Callable = smoothest) -> Traject
 
 
 def plan_near(maneuver: Maneuver, near: Trajectory) -> Trajectory | None:
-    """The smoothest plan in the maneuver's duration, from a plan of a similar maneuver."""
+    """Smoothest plan in the maneuver's duration, from a plan of a similar maneuver."""
     for segments in SEGMENTS:
         found = planned(maneuver, smoothest, guess_from(maneuver, near, segments), WARM)
         if found is not None:
@@ -341,17 +341,16 @@ def plan_near(maneuver: Maneuver, near: Trajectory) -> Trajectory | None:
 
 
 def easy_duration(maneuver: Maneuver) -> float:
-    """A duration in s in which there should be a plan, if there is one in any."""
+    """Duration in s, long enough for a plan in most cases: EASY times a rough lower bound."""
     # flight at the pitch limit accelerates the travel half of the way
     acceleration = abs(tilted_acceleration(maneuver)) * math.tan(min(np.abs(maneuver.limits.pitch)))
     return EASY * (1.0 + 2.0 * math.sqrt(abs(maneuver.goal[0] - maneuver.start[0]) / acceleration))
 
 
 def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline, Trajectory] | None:
-    """The fastest plan, whatever the maneuver's duration; `check` may end the search by what it raises.
+    """Fastest plan, regardless of the maneuver's duration; an exception from `check` ends the search.
 
-    With few segments first, from a duration that is easy, or one that is easier; what that leads to is where more start
-    from.
+    It starts with few segments from an easy duration; each result is the initial guess for more segments.
     """
     for stretch in STRETCHES:
         duration = stretch * easy_duration(maneuver)
@@ -370,7 +369,7 @@ def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline,
 
 
 def plan_lengthened(maneuver: Maneuver, start: Spline, check: Callable[[], None]) -> Trajectory | None:
-    """The smoothest plan in the maneuver's duration, from a faster one, lengthened in steps that succeed."""
+    """Smoothest plan in the maneuver's duration, from a faster one that is lengthened step by step."""
     share = 1.0
     while share > LEAST_STRETCH:
         check()

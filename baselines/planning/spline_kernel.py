@@ -1,13 +1,13 @@
 """The interior-point method behind `heli_gym.baselines.planning.spline`, compiled.
 
-Unknown are the coefficients c (M, 2) of elevation and pitch, but the first and last three, and, if the duration is
-free, s = 1/T². The travel's two quadratures E are the only equations; the fans' thrusts f at K points, the pitch
-coefficients and further rows have bounds. In the order of the knots, the normal equations are banded, but for a border
-of three: s and the multipliers of the two equations. Rows on the travel, which depends on all that was before, fill the
-band.
+The unknowns are the coefficients c (M, 2) of elevation and pitch, except the first and last three, and, if the duration
+is free, s = 1/T². The travel's two quadratures E are the only equations; the fans' thrusts f at K points, the pitch
+coefficients and further rows have bounds. Ordered by knots, the normal equations are banded with a border of three
+columns: s and the multipliers of the two equations. Rows on the travel, which depends on all earlier accelerations,
+make the band a full matrix.
 
-All that is of the helicopter comes from `heli_gym.model`: values by `inverse_dynamics` and `dynamics`, first
-derivatives by dual numbers, second ones by differences of these. The travel may decay by itself, at a constant rate.
+The helicopter's equations are those of `heli_gym.model`: values from `inverse_dynamics` and `dynamics`, first
+derivatives from dual numbers, second derivatives from differences of these. The travel may have viscous damping.
 """
 
 import math
@@ -21,26 +21,26 @@ from heli_gym.compilation import Compiler
 from heli_gym.model import dynamics, inverse_dynamics
 
 BAND = 8  # diagonals of the lower triangle: four coefficients of two outputs meet in a segment
-LOCAL_BAND = 10  # the same with rows that connect neighbouring points
+LOCAL_BAND = 10  # likewise with rows that connect neighbouring points
 DIFFERENCE = 3e-5  # rad, of elevation and pitch, for second derivatives
 INNER = 0.5 / math.sqrt(5.0)
-POINTS = (0.0, 0.5 - INNER, 0.5 + INNER)  # Lobatto's, of a segment; its fourth is the first of the next
-WEIGHTS = (1.0 / 6.0, 5.0 / 12.0, 5.0 / 12.0)  # of the quadrature, at a knot the shares of both segments
-SHARES = (1.0 / 12.0, 5.0 / 12.0, 5.0 / 12.0, 1.0 / 12.0)  # the same, of one segment
+POINTS = (0.0, 0.5 - INNER, 0.5 + INNER)  # Lobatto points of a segment; the fourth is the first of the next segment
+WEIGHTS = (1.0 / 6.0, 5.0 / 12.0, 5.0 / 12.0)  # of the quadrature; at a knot, the sum for both segments
+SHARES = (1.0 / 12.0, 5.0 / 12.0, 5.0 / 12.0, 1.0 / 12.0)  # of the quadrature over one segment
 KNOT = (1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0)  # values of the splines at a knot
-# Kinds of rows: of coefficients, of their differences, of knots twice, of thrusts and the same at the next point
+# Kinds of rows, in order: on coefficients, their differences, knots (two kinds), and thrusts at neighbouring points
 ELEVATION, ELEVATION_RATE, TRAVEL_RATE, FLOOR, SLEW = 0, 1, 2, 3, 4
 THIRD = (-1.0, 3.0, -3.0, 1.0)  # third difference
-CLOSEST = 0.02  # share of the distance between its bounds that a guess keeps from them
-TO_BOUNDARY = 0.99  # share of the way to a bound that a step may go
+CLOSEST = 0.02  # distance of a guess from its bounds, as a share of their difference
+TO_BOUNDARY = 0.99  # largest step towards a bound, as a share of the distance
 BACKTRACKS = 14
-SUFFICIENT, ROUNDING = 1e-4, 1e-12  # shares of the predicted decrease that a step must reach, and of what rounding adds
-DAMPING, MOST_DAMPING = 1e-6, 1e12  # additions to the diagonal where the Hessian is not positive: the first, the last
-SINGULAR, TINY = 1e-14, 1e-300  # what counts as zero: pivots of the factorisation, steps
+SUFFICIENT, ROUNDING = 1e-4, 1e-12  # Armijo share of the predicted decrease; relative rounding error
+DAMPING, MOST_DAMPING = 1e-6, 1e12  # first and last addition to the diagonal of an indefinite Hessian
+SINGULAR, TINY = 1e-14, 1e-300  # thresholds of zero: pivots of the factorisation, steps
 
 
 def basis(u):
-    """Uniform cubic B-splines on a segment, u in [0, 1]: four values, first and second derivatives by u."""
+    """Uniform cubic B-splines at u in [0, 1] of a segment: four values, four first and four second derivatives."""
     w = 1.0 - u
     return (
         (w**3 / 6.0, (3.0 * u**3 - 6.0 * u**2 + 4.0) / 6.0, (3.0 * w**3 - 6.0 * w**2 + 4.0) / 6.0, u**3 / 6.0),
@@ -50,7 +50,7 @@ def basis(u):
 
 
 def tables(segments):
-    """Of all K points: values, first and second derivatives by tau (K, 3, 4), first coefficient, tau, weight (K,)."""
+    """Tables of the K points: basis with two derivatives by tau (K, 3, 4), first coefficient, tau and weight (K,)."""
     count = 3 * segments + 1
     B = np.empty((count, 3, 4))
     first, tau, weight = np.empty(count, np.int64), np.empty(count), np.empty(count)
@@ -67,7 +67,7 @@ def tables(segments):
 
 
 def outputs(c, root, B, first, p, z):
-    """Fills in z (6,): elevation and pitch at a point, each with its first two derivatives by time; root is 1/T."""
+    """Fill in z (6,): elevation and pitch at a point, each with its first two derivatives by time; root is 1/T."""
     for o in range(2):
         y = dy = ddy = 0.0
         for i in range(4):
@@ -79,7 +79,7 @@ def outputs(c, root, B, first, p, z):
 
 
 def invert(y1, dy1, ddy1, y2, dy2, ddy2, parameters, sin, cos):
-    """The inputs v1 and v2, and the travel's second derivative were it at rest, by (13) and (14a)."""
+    """Inputs v1 and v2, and the undamped second derivative of the travel, by (13) and (14a)."""
     x = 0.0, 0.0, y1, dy1, y2, dy2
     v = inverse_dynamics(x, ddy1, ddy2, parameters, sin, cos)
     return v[0], v[1], dynamics(x, v, parameters, sin, cos)[1]
@@ -114,9 +114,9 @@ def gradients(y1, dy1, ddy1, y2, dy2, ddy2, parameters):
 
 
 def derivatives(z, parameters, D, H):
-    """Fills in first derivatives D (3, 6) and second ones H (3, 6, 6) of `invert` at z (6,).
+    """Fill in the first derivatives D (3, 6) and second derivatives H (3, 6, 6) of `invert` at z (6,).
 
-    The second derivatives are those by an angle and anything else; (3) is affine in accelerations and rates.
+    Only second derivatives with at least one angle are nonzero, since (3) is affine in accelerations and rates.
     """
     y1, dy1, ddy1, y2, dy2, ddy2 = z[0], z[1], z[2], z[3], z[4], z[5]
     d, h = DIFFERENCE, 0.5 / DIFFERENCE
@@ -139,13 +139,13 @@ def derivatives(z, parameters, D, H):
 
 
 def arrival(left, damping):
-    """What an acceleration leaves of the travel rate, and adds to the travel in s, a time left in s later."""
+    """Share of a travel rate that remains after a time `left` in s under damping, and travel per unit of rate, in s."""
     decay = math.exp(-damping * left)
     return decay, (1.0 - decay) / damping if damping > 0.0 or damping < 0.0 else left
 
 
 def travel_along(r, s, travel, points, rates, angles):
-    """Fills in the travel's rates and angles (S + 1,) at the knots, of accelerations r (K,) at the points.
+    """Fill in the travel's rates and angles (S + 1,) at the knots, from accelerations r (K,) at the points.
 
     travel: rate and angle at the start, those at the goal, and the damping.
     """
@@ -164,7 +164,7 @@ def travel_along(r, s, travel, points, rates, angles):
 
 
 def floor_at(angle, floor):
-    """The floor's elevation at a travel, and its slope, linear in between and level outside; floor is (2, N)."""
+    """Floor elevation and its slope at a travel angle: a polyline (2, N), level beyond its ends."""
     last = floor.shape[1] - 1
     if not floor[0, 0] < angle < floor[0, last]:
         return floor[1, 0 if angle <= floor[0, 0] else last], 0.0
@@ -174,7 +174,7 @@ def floor_at(angle, floor):
 
 
 def evaluate(c, s, travel, weights, parameters, points, rows, floor, f, r, knots, h):
-    """Fills in thrusts f (2 K,), accelerations r (K,) and rows h (R,); returns objective and the travel's equations."""
+    """Fill in thrusts f (2 K,), accelerations r (K,) and rows h (R,); return objective and the travel's equations."""
     B, first, tau, weight = points
     smooth, time_weight, effort, hover = weights
     root = math.sqrt(s)
@@ -216,12 +216,12 @@ def evaluate(c, s, travel, weights, parameters, points, rows, floor, f, r, knots
 def assemble(
     c, s, y, stiffness, lam1, lam2, travel, weights, parameters, points, rows, floor, f, r, knots, F, M, G, g, J
 ):
-    """The Hessian of the Lagrangian, the stiffness of the barrier of thrusts and rows included, and first derivatives.
+    """Assemble first derivatives and the Hessian of the Lagrangian with the barrier of thrusts and rows.
 
     Fills in the thrusts' gradients F (2 K, 6) by `invert`'s arguments, the Hessian's lower band M (N, band) by the
     coefficients, its border G (N, 3) with the gradients of the two equations, the objective's gradient g (N,) and the
-    rows' J (R, N + 1), the last column by s. Returns by s: the objective's first derivative but for the duration, the
-    second derivative, and the first ones of the equations.
+    rows' J (R, N + 1), the last column by s. Returns derivatives by s: the objective's first one without the duration
+    term, the second derivative, and the first ones of the equations.
     """
     B, first, tau, weight = points
     smooth, time_weight, effort, hover = weights
@@ -349,7 +349,7 @@ def assemble(
 
 
 def pull_on_travel(y, s, travel, points, rows, floor, knots, on_travel, on_travel_s):
-    """Adds the rows' multipliers y (R,) times the derivatives of the travel by its accelerations, and those by s."""
+    """Accumulate the rows' multipliers y (R,) times the derivatives of the travel by its accelerations and by s."""
     _, _, tau, _ = points
     angles = knots[1]
     segments, T, damping = len(angles) - 1, 1.0 / math.sqrt(s), travel[4]
@@ -376,7 +376,7 @@ def pull_on_travel(y, s, travel, points, rows, floor, knots, on_travel, on_trave
 
 
 def differentiate_rows(c, s, travel, points, rows, floor, f, F, r, R, R_s, knots, J):
-    """Fills in the rows' derivatives J (R, N + 1), given those of the accelerations, R (K, 8) by coefficients, by s."""
+    """Fill in the rows' derivatives J (R, N + 1) from those of accelerations, R (K, 8) by coefficients, R_s by s."""
     _, first, tau, _ = points
     rates, angles = knots[0], knots[1]
     segments, root, unknowns, damping = len(c) - 3, math.sqrt(s), J.shape[1] - 1, travel[4]
@@ -430,7 +430,7 @@ def differentiate_rows(c, s, travel, points, rows, floor, f, F, r, R, R_s, knots
 
 
 def add_thrust(c, s, points, F, k, scale, row):
-    """Adds to a row (N + 1,) so many times the derivatives of the k-th thrust by the coefficients, and by s."""
+    """Add to a row (N + 1,) the derivatives of the k-th thrust by the coefficients and by s, times `scale`."""
     B, first, _, _ = points
     p, root, z, unknowns = k // 2, math.sqrt(s), np.empty(6), len(row) - 1
     outputs(c, root, B, first, p, z)
@@ -444,7 +444,7 @@ def add_thrust(c, s, points, F, k, scale, row):
 
 
 def vjp(force, F, J, c, s, points, g):
-    """Adds to g the gradient of force times the thrusts and the rows; returns its derivative by s."""
+    """Add to g the vector-Jacobian product of `force` with thrusts and rows; return its entry for s."""
     B, first, tau, _ = points
     by_s, z, n_ = 0.0, np.empty(6), np.empty(6)
     root, unknowns = math.sqrt(s), len(g)
@@ -467,7 +467,7 @@ def vjp(force, F, J, c, s, points, g):
 
 
 def jvp(dx, ds, F, J, c, s, points, df):
-    """Adds to df the change of the thrusts (2 K,), and of the rows, with the coefficients and s."""
+    """Add to df the Jacobian-vector product: changes of thrusts (2 K,) and rows for steps of coefficients and s."""
     B, first, tau, _ = points
     z, d = np.empty(6), np.empty(6)
     root, unknowns = math.sqrt(s), len(dx)
@@ -493,7 +493,7 @@ def jvp(dx, ds, F, J, c, s, points, df):
 
 
 def factorise(M, damping, L):
-    """Cholesky factor L of the banded M plus damping on its diagonal; whether that is positive definite."""
+    """Fill in the Cholesky factor L of the banded M plus damping on its diagonal; return whether it exists."""
     band = M.shape[1]
     for i in range(len(M)):
         for k in range(min(band - 1, i), -1, -1):
@@ -511,7 +511,7 @@ def factorise(M, damping, L):
 
 
 def substitute(L, b):
-    """Solves L L' x = b (N, columns) in place."""
+    """Solve L L' x = b (N, columns) in place."""
     size, band = L.shape
     for i in range(size):
         for q in range(b.shape[1]):
@@ -528,9 +528,9 @@ def substitute(L, b):
 
 
 def schur_step(G, columns, g, ss, gs, es, e, fixed):
-    """The step of s and the new multipliers (3,), given columns = M^-1 (G, -g); NaN where that does not lead downhill.
+    """Step of s and new multipliers (3,), given columns = M^-1 (G, -g); NaN if the step is not a descent direction.
 
-    With two equations, of the three eigenvalues of their matrix two must be negative and one positive.
+    The 3 x 3 Schur complement must have two negative eigenvalues and a positive one.
     """
     S, rhs = np.zeros((3, 3)), np.zeros(3)
     for n in range(len(g)):
@@ -564,9 +564,9 @@ def schur_step(G, columns, g, ss, gs, es, e, fixed):
 
 
 def newton_step(M, G, g, ss, gs, es, e, fixed, damping, columns, L, dx):
-    """Fills in the step dx (N,) of the coefficients; returns that of s, the new multipliers, and the damping it took.
+    """Fill in the step dx (N,) of the coefficients; return the step of s, the new multipliers and the damping.
 
-    As much is added to the Hessian as makes it positive definite, so that the step leads downhill.
+    The damping is raised until the Hessian is positive definite, so that the step is a descent direction.
     """
     while damping < MOST_DAMPING:
         if factorise(M, damping, L):
@@ -583,7 +583,7 @@ def newton_step(M, G, g, ss, gs, es, e, fixed, damping, columns, L, dx):
 
 
 def barrier(w, low, high):
-    """The sum of -log of the distances of w to its bounds; infinite outside."""
+    """Sum of -log of the distances of w to its bounds; infinite outside."""
     total = 0.0
     for k in range(len(w)):
         if not low[k] < w[k] < high[k]:
@@ -593,7 +593,7 @@ def barrier(w, low, high):
 
 
 def duals(mu, w, low, high, zl, zu, r, y, stiffness, force):
-    """Fills in y = zu - zl, the barrier's stiffness, and the force that its Newton step exerts at the residuals r."""
+    """Fill in y = zu - zl, the barrier's stiffness, and its force in the Newton step at the residuals r."""
     for k in range(len(w)):
         below, above = w[k] - low[k], high[k] - w[k]
         y[k] = zu[k] - zl[k]
@@ -602,9 +602,9 @@ def duals(mu, w, low, high, zl, zu, r, y, stiffness, force):
 
 
 def dual_step(mu, w, dw, low, high, zl, zu, dzl, dzu):
-    """Fills in the steps of the multipliers; returns the longest steps, at most 1, of w and of the multipliers.
+    """Fill in the steps of the multipliers; return the largest step lengths, at most 1, of w and of the multipliers.
 
-    Longest is what leaves a share of every distance to a bound.
+    A step covers at most the share TO_BOUNDARY of each distance to a bound.
     """
     primal = dual = 1.0
     for k in range(len(w)):
@@ -623,7 +623,7 @@ def dual_step(mu, w, dw, low, high, zl, zu, dzl, dzu):
 
 
 def kkt_residual(mu, w, low, high, zl, zu, r, gradient):
-    """What is left of the equations of the bounds, and of stationarity and complementarity, these scaled."""
+    """Residual of the bounds' equations, and scaled residual of stationarity and complementarity."""
     missed = residual = total = 0.0
     for k in range(len(w)):
         missed = max(missed, abs(r[k]))
@@ -635,23 +635,23 @@ def kkt_residual(mu, w, low, high, zl, zu, r, gradient):
 
 
 def solve(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu, last_mu, tolerance, iterations):
-    """Minimises the objective, the barrier being lowered from mu to last_mu.
+    """Minimise the objective while the barrier parameter decreases from mu to last_mu.
 
     Args:
-        c, s: the guess, coefficients (M, 2) in rad, of which three at each end stay, and 1/T² in 1/s².
-        travel: its rate and angle at the start, those at the goal, and its damping: rad/s, rad, rad/s, rad, 1/s.
+        c, s: guess of the coefficients (M, 2) in rad, three fixed at each end, and of 1/T² in 1/s².
+        travel: rate and angle at the start, rate and angle at the goal, and damping: rad/s, rad, rad/s, rad, 1/s.
         low, high: bounds of thrusts in N (2 K,), pitch coefficients in rad (M - 6,) and rows (R,).
         rows: kind and index (R, 2) of further quantities with bounds.
-        floor: travel and elevation (2, N) in rad, which rows of this kind refer to.
-        parameters: the helicopter's.
-        weights: of the squared third differences of the coefficients (2,), of the logarithm of the duration, of the
-            mean squared distance of the thrusts from those of hover; and these, in N.
+        floor: travel and elevation (2, N) in rad, for rows of the kind FLOOR.
+        parameters: parameters of the helicopter.
+        weights: of squared third differences of the coefficients (2,), of the logarithm of the duration, and of the
+            mean squared distance of the thrusts from hover; then the hover thrusts in N.
         is_free: whether s may change.
-        tolerance: of equations and bounds in N and rad/s²; optimality is judged by last_mu.
-        iterations: at most.
+        tolerance: of equations and bounds in N and rad/s²; that of optimality is last_mu.
+        iterations: largest number.
 
     Returns:
-        Whether it converged, the iterations taken, c, s, and the multipliers of the lower and upper bounds (2, ...).
+        Whether it converged, number of iterations, c, s, and multipliers of the lower and upper bounds (2, ...).
     """
     segments, fixed, time_weight = len(c) - 3, not is_free, weights[1]
     points, free = tables(segments), segments - 3
@@ -785,7 +785,7 @@ def solve(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu
             for k in range(size):
                 zl[k] += dual * dzl[k]
                 zu[k] += dual * dzu[k]
-        else:  # once more, and more carefully
+        else:  # repeat with more damping
             objective, e1, e2 = evaluate(
                 c, s, travel, weights, parameters, points, rows, floor, f, acceleration, knots, h
             )
@@ -797,7 +797,7 @@ def solve(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu
 
 
 def interpolate(c, duration, count):
-    """Elevation and pitch, their first and their second derivatives by time, (3, 2, K) at K equidistant times."""
+    """Elevation and pitch with their first and second derivatives by time, (3, 2, K) at K equidistant times."""
     segments = len(c) - 3
     y, rate = np.empty((3, 2, count)), segments / duration
     for k in range(count):
@@ -816,7 +816,7 @@ def interpolate(c, duration, count):
 
 
 def thrusts_along(y, dy, ddy, parameters):
-    """The thrusts (2, K) of both fans and the travel's second derivative (K,), were it at rest, along two outputs."""
+    """Thrusts (2, K) of both fans and undamped second derivative (K,) of the travel, along elevation and pitch."""
     f, ddeta = np.empty(y.shape), np.empty(y.shape[1])
     for k in range(y.shape[1]):
         v1, v2, ddeta[k] = invert(
@@ -826,16 +826,16 @@ def thrusts_along(y, dy, ddy, parameters):
     return f, ddeta
 
 
-# NaN and infinity stand for what fails
+# compiled without fast-math, because NaN and infinity signal failures
 CAREFUL = (solve, schur_step, newton_step, factorise, barrier, dual_step, duals, kkt_residual)
 
 
 def run(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu, last_mu, tolerance, iterations):
-    """`solve`, which is careful, as what is compiled."""
+    """Call `solve` from a compiled entry point, so that `solve` itself is compiled without fast-math."""
     return solve(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu, last_mu, tolerance, iterations)
 
 
 @cache
 def compiled(function: Callable) -> Callable:
-    """The function, compiled; at its first call, and kept on disk for as long as (3) and this module stay the same."""
+    """Compile the function at its first call, cached on disk until (3) or this module changes."""
     return Compiler(careful=CAREFUL).entry(function)
