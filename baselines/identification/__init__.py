@@ -1,1 +1,1 @@
-"""Measured flights in, identified rigs out; imports `heli_gym`, `paper` and `planning`."""
+"""Identification of rigs from measured flights; imports `heli_gym`, `paper` and `planning`."""

@@ -1,9 +1,9 @@
-"""Identification by output errors over short windows: multiple shooting, with the windows' own unknowns eliminated.
+"""Identification by output errors over short windows: multiple shooting with the windows' unknowns eliminated.
 
-A log is cut into windows. In each, its initial state and three slow accelerations are free, the latter within a spread
-that is estimated too; in all, the rig's parameters are the same. Gauss-Newton steps with Huber's loss minimise the
-errors of the angles and the distance from a prior. Errors of neighbouring samples are correlated, for no model is
-complete: their weight is divided by the time over which they are, or standard errors would be far too small.
+A log is split into windows. Each window has a free initial state and three slow accelerations with an estimated spread;
+all windows share the rig's parameters. Gauss-Newton steps with Huber's loss minimise the errors of the angles and the
+distance from a prior. Model errors make the errors of neighbouring samples correlated; dividing their weight by the
+correlation time avoids standard errors that are far too small.
 """
 
 import math
@@ -25,14 +25,14 @@ from heli_gym.rig import Rig, find_rig
 from heli_gym.thrust_map import PowerCurve, ThrustMap
 
 WINDOW = 2.0  # s
-EVERY = 5  # samples, of which one counts
-HUBER = 3.0  # standard deviations, from which on an error counts linearly
+EVERY = 5  # samples, decimation of the errors
+HUBER = 3.0  # standard deviations, above which the loss is linear
 LEAST_SIGMA = 2.0 * math.pi / np.array([8192, 4096, 4096]) / math.sqrt(12.0)  # rad, of rounding to encoder counts
 LEAST_SPREAD = 3e-4  # rad/s², of the slow accelerations
-UNDETERMINED = 0.7  # share of the prior's spread above which the data say too little
+UNDETERMINED = 0.7  # share of the prior's spread above which a parameter is undetermined
 MAX_PARAMETER = 1e6
 
-# Spread of the prior about the start: that between identified rigs, and more.
+# Spread of the prior about the start: wider than that between identified rigs.
 SPREAD = MeasuredParameters(
     a1=0.3, a2=0.5, a3=0.5, b1=0.4, b2=0.4, b3=3.0, c1=0.1, c2=0.2, c3=0.2, exponent=0.2, reverse=0.3, mismatch=0.1,
     lag=0.025, delay=0.02, pitch_zero=0.15, pitch_trim=0.5, voltage_limit=20.0, centrifugal=0.15, centre=0.1,
@@ -49,7 +49,7 @@ HIGH = MeasuredParameters(
     centre=1.0, pitch_spin=3.0, gyro=5.0, pitch_speed=3.0,
 )  # fmt: skip
 
-# Effects beyond Table I's structure, (2) and (3) with what it neglects: their parameters, and the values without them.
+# Effects that (2) and (3) neglect: their parameters, with the values that switch them off.
 EFFECTS: dict[str, dict[str, float]] = {
     "trim": {"mismatch": 0.0, "pitch_zero": 0.0, "pitch_trim": 0.0},
     "friction": {"c1": 0.0, "c2": 0.0, "c3": 0.0},
@@ -66,21 +66,21 @@ COEFFICIENTS = ("a1", "a2", "a3", "b1", "b2", "b3")
 
 @dataclass(frozen=True, eq=False)
 class Identification:
-    """An identified rig.
+    """Identified rig with uncertainties.
 
     Attributes:
-        parameters: all parameters; thrusts in units of one rotor's at `hover_voltage`.
+        parameters: all parameters; the unit of thrust is one rotor's at `hover_voltage`.
         hover_voltage: median voltage in V while airborne.
-        free: names of the parameters that were estimated from the data.
-        covariance: (P, P) of these.
-        undetermined: names of the parameters that stay at the prior, because the data say too little about them.
+        free: names of the estimated parameters.
+        covariance: (P, P) of the estimated parameters.
+        undetermined: names of the parameters left at the prior for lack of information in the data.
         sigma: (3,) rad, robust spread of the errors of the angles within the fitted windows.
-        correlation_time: (3,) s, over which these errors are correlated.
+        correlation_time: (3,) s, of these errors.
         offset_spread: (3,) rad/s², of the slow accelerations from window to window.
         logs: names of the logs.
-        fit_share: share of each that was fitted.
-        start: rig that gave the prior and the scale of the thrusts.
-        table_elevation: rad, from the logs, or the start's if they start in the air.
+        fit_share: fitted share of each log.
+        start: rig of the prior and of the scale of the thrusts.
+        table_elevation: rad, from the logs, or from the start rig if they start in the air.
         voltage_range: smallest and largest voltage in V in the logs.
         sample_time: s, of the logs.
     """
@@ -102,31 +102,31 @@ class Identification:
 
     @property
     def theta(self) -> np.ndarray:
-        """The parameters as an array."""
+        """Parameters as an array."""
         return np.array(self.parameters, dtype=float)
 
     @property
     def thrust_unit(self) -> float:
-        """Newtons in the unit of thrust: what one rotor of the start rig gives in level hover."""
+        """Unit of thrust in N: one rotor of the start rig in level hover."""
         return 0.5 * float(hover_input(0.0, self.start.parameters)[0])
 
     @property
     def standard_errors(self) -> dict[str, float]:
-        """Of the free parameters."""
+        """Standard errors of the free parameters, by name."""
         return dict(zip(self.free, np.sqrt(np.diag(self.covariance)).tolist()))
 
     @property
     def correlations(self) -> np.ndarray:
-        """(P, P), of the free parameters."""
+        """Correlation matrix (P, P) of the free parameters."""
         spread = np.sqrt(np.diag(self.covariance))
         return self.covariance / np.outer(spread, spread)
 
     def rig(self, name: str) -> Rig:
-        """The rig as `heli_gym` flies it: (3), the thrust map, amplifier, lag and delay.
+        """Convert to a Rig for `heli_gym`: (3), thrust map, amplifier, lag and delay.
 
-        Pitch is counted from `pitch_zero`, so that travel does not accelerate at zero pitch. A trim that the thrust map
-        cannot express becomes a difference of the rotors. The scale of the thrusts is the start rig's, for newtons
-        cannot be told from the flight of a rig: b1, b2, b3 and the thrust map have their products right.
+        Pitch is measured from `pitch_zero`, so that travel does not accelerate at zero pitch. The pitch trim becomes a
+        difference of the rotors. The scale of the thrusts is that of the start rig, since flights determine only the
+        products of b1, b2, b3 with the thrust map.
         """
         p, unit = self.parameters, self.thrust_unit
         table = HelicopterParameters(
@@ -173,11 +173,11 @@ def identify(
 
     Args:
         logs: of one rig, with one sample time.
-        start: the rig that gives the scale of the thrusts, sensors, and what the data do not determine.
-        fit_share: of each log, from its start, that is used.
-        effects: beyond (2) and (3), names from EFFECTS.
+        start: rig of the scale of the thrusts, the sensors, and the undetermined quantities.
+        fit_share: share of each log, from its start, to fit.
+        effects: names from EFFECTS of effects beyond (2) and (3).
         prior: centre of the prior, by default the middle of identified rigs.
-        progress: is called with a line of text now and then.
+        progress: function that is called with lines of text.
 
     Raises:
         ValueError: for an empty list, different sample times, a share outside (0, 1], an unknown effect, or logs
@@ -248,7 +248,7 @@ def identify(
 def best_limit(
     problem: "Shooting", theta: np.ndarray, centre: np.ndarray, free: list[str], progress: Callable[[str], None]
 ) -> tuple[np.ndarray, float | None]:
-    """Start of the search with the amplifier's limit that fits best, None for no limit; its loss has several minima."""
+    """Parameters with the best-fitting voltage limit from a grid, including no limit; the loss has several minima."""
     index = NAMES.index("voltage_limit")
     largest = problem.largest_voltage()
     best, best_loss, best_limit = theta, math.inf, None
@@ -260,7 +260,7 @@ def best_limit(
         names = free if limit is None else [*free, "voltage_limit"]
         problem.reset()
         trial, _ = problem.fit(trial, middle, names, iterations=8, adapt=False)
-        loss = problem.loss_value + (0.0 if limit is None else 10.0)  # one more parameter has to pay
+        loss = problem.loss_value + (0.0 if limit is None else 10.0)  # penalty for one more parameter
         progress(f"amplifier {'without a limit' if limit is None else f'at {trial[index]:.2f} V'}: loss {loss:.0f}")
         if loss < best_loss:
             best, best_loss, best_limit = trial, loss, None if limit is None else float(trial[index])
@@ -269,7 +269,7 @@ def best_limit(
 
 
 class Shooting:
-    """The windows of some logs, and their unknowns."""
+    """Multiple-shooting problem: windows of logs, and their unknowns."""
 
     def __init__(self, logs: Sequence[FlightLog], share: float, window: float = WINDOW) -> None:
         self.logs, self.dt = list(logs), logs[0].sample_time
@@ -291,7 +291,7 @@ class Shooting:
         self.reset()
 
     def reset(self) -> None:
-        """Initial states from smoothed logs, no accelerations, first guesses of all spreads."""
+        """Initialise the unknowns: states from smoothed logs, zero accelerations, first guesses of all spreads."""
         self.z = []
         for log, starts in zip(self.logs, self.starts):
             z = np.zeros((len(starts), 9))
@@ -303,12 +303,12 @@ class Shooting:
         self.loss_value = math.inf
 
     def share_reversed(self) -> float:
-        """Share of the fitted voltages that turn a rotor backwards."""
+        """Share of negative voltages in the fitted windows."""
         parts = [log.voltages[:, k : k + self.n] for log, starts in zip(self.logs, self.starts) for k in starts]
         return float(np.mean(np.concatenate(parts, axis=1) < -0.3))
 
     def largest_voltage(self) -> float:
-        """The largest voltage in V in the fitted windows, by size."""
+        """Largest magnitude of the voltages in V in the fitted windows."""
         return max(
             float(np.abs(log.voltages[:, k : k + self.n]).max())
             for log, starts in zip(self.logs, self.starts)
@@ -316,11 +316,11 @@ class Shooting:
         )
 
     def weights(self) -> np.ndarray:
-        """Standard deviations (3, 1) by which errors are divided: enlarged, where errors of neighbours are alike."""
+        """Standard deviations (3, 1) to scale the errors, increased for the correlation of neighbouring errors."""
         return (self.sigma * np.sqrt(np.maximum(self.correlation_time / (EVERY * self.dt), 1.0)))[:, None]
 
     def simulate(self, theta: np.ndarray, z: list[np.ndarray], chosen: np.ndarray) -> list[tuple]:
-        """Angles (W, 3, m) and their derivatives (W, 9 + P, 3, m), for each log with windows."""
+        """Simulate angles (W, 3, m) and their derivatives (W, 9 + P, 3, m), for each log with windows."""
         result = []
         for log, starts, states in zip(self.logs, self.starts, z):
             if not len(starts):
@@ -334,7 +334,7 @@ class Shooting:
         return result
 
     def loss(self, simulated: list[tuple], z: list[np.ndarray], step: np.ndarray) -> float:
-        """Huber's loss of the errors, and squares of the accelerations and of the distance from the prior."""
+        """Huber's loss of the errors, plus squared accelerations and squared distance from the prior."""
         total = float(step @ step)
         for (y, _), measured, states in zip(simulated, self.measured, z):
             if measured is not None:
@@ -344,9 +344,9 @@ class Shooting:
         return total if math.isfinite(total) else math.inf
 
     def normal_equations(self, simulated: list[tuple], chosen: np.ndarray) -> tuple:
-        """Matrix and right side for the parameters, and what gives the windows' unknowns from their step.
+        """Normal equations of the parameters, with the nine unknowns of each window eliminated (Schur complement).
 
-        In each window, the nine unknowns are eliminated (Schur complement).
+        Returns matrix, right-hand side, and the factors for the step of the windows' unknowns.
         """
         count = len(chosen)
         matrix, side = np.zeros((count, count)), np.zeros(count)
@@ -382,7 +382,7 @@ class Shooting:
         adapt: bool = True,
         progress: Callable[[str], None] = lambda text: None,
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Estimate the free parameters; returns all parameters (22,) and the covariance of the free ones.
+        """Estimate the free parameters; return all parameters (22,) and the covariance of the free ones.
 
         With `adapt`, the spreads of errors and accelerations are estimated along with them.
         """
@@ -433,14 +433,14 @@ class Shooting:
         return theta, np.linalg.inv(matrix + np.diag(1.0 / prior**2))
 
     def adapt(self, simulated: list[tuple], variance: np.ndarray) -> None:
-        """Spread and correlation time of the errors, and spread of the accelerations, from what they are now."""
+        """Update spread and correlation time of the errors and spread of the accelerations from current residuals."""
         parts = [m - y for (y, _), m in zip(simulated, self.measured) if m is not None]
         errors = np.concatenate(parts)
         robust = np.maximum(1.4826 * np.median(np.abs(errors), axis=(0, 2)), LEAST_SIGMA)
         step = EVERY * self.dt
         bounded = np.clip(errors, -HUBER * robust[:, None], HUBER * robust[:, None])
         power = (bounded**2).mean(axis=(0, 2))
-        # errors with short tails, as of rounding, spread less than their median says
+        # for errors with short tails, such as rounding, the median overestimates the spread
         self.sigma = np.maximum(np.minimum(robust, np.sqrt(power)), LEAST_SIGMA)
         total = np.ones(3)
         positive = np.ones(3, dtype=bool)
@@ -454,7 +454,7 @@ class Shooting:
 
 
 def window_starts(log: FlightLog, share: float, n: int) -> np.ndarray:
-    """First samples of the windows of n steps that follow each other in the first share of a log, all airborne."""
+    """First samples of consecutive airborne windows of n steps in the first share of a log."""
     on_ground = np.concatenate(([0], np.cumsum(~log.airborne())))
     last, k, starts = int(share * len(log)) - n - 1, 0, []
     while k <= last:

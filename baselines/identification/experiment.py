@@ -1,4 +1,4 @@
-"""An experiment that excites what a rig's parameters need: multisine references on top of hover."""
+"""Design of an identification experiment: multisine references about hover that excite all parameters."""
 
 import math
 from collections.abc import Callable
@@ -14,20 +14,20 @@ from heli_gym.rig import Rig
 
 LONGEST = 60.0  # s
 TONES = 12  # of each reference
-PITCH_BAND, ELEVATION_BAND = (0.016, 1.5), (0.04, 0.6)  # Hz; slow pitch lets travel become fast
-CANDIDATES = 12  # sets of phases, of which the best is taken
-FADE = 2.0  # s, in which the references rise from zero, and fall to it at the end
-MODEL_ERROR = 3.0  # by which errors of measured flights are larger than rounding, and correlated
+PITCH_BAND, ELEVATION_BAND = (0.016, 1.5), (0.04, 0.6)  # Hz; slow pitch makes travel fast
+CANDIDATES = 12  # number of random sets of phases
+FADE = 2.0  # s, fade-in and fade-out of the references
+MODEL_ERROR = 3.0  # ratio of errors of measured flights, correlation included, to rounding
 
 
 @dataclass(frozen=True, eq=False)
 class Experiment:
-    """A maneuver for identification.
+    """Maneuver for identification.
 
     Attributes:
-        log: the flight that is expected, with the references `pitch_ref` and `elevation_ref`.
-        standard_errors: expected, of each parameter, if errors are MODEL_ERROR times the encoders' rounding.
-        share_of_prior: these, relative to what is known beforehand; near 1, the experiment says nothing.
+        log: the expected flight, with the references `pitch_ref` and `elevation_ref`.
+        standard_errors: expected ones of each parameter, for errors of MODEL_ERROR times the encoders' rounding.
+        share_of_prior: standard errors relative to the prior; near 1, the experiment has no information.
     """
 
     log: FlightLog
@@ -36,7 +36,7 @@ class Experiment:
 
 
 def parameters_of(rig: Rig) -> tuple[MeasuredParameters, float]:
-    """The rig as the model of real flights has it, with the effects that all rigs have, and its hover voltage in V."""
+    """Parameters of the rig in the model of real flights, with effects common to all rigs, and hover voltage in V."""
     hover = rig.hover_voltage()
     if not np.isfinite(hover).all():
         raise ValueError(f"rig = {rig.name!r}: must hover within its thrust map")
@@ -56,14 +56,14 @@ def parameters_of(rig: Rig) -> tuple[MeasuredParameters, float]:
 def multisine(
     band: tuple[float, float], duration: float, amplitude: float, rng: np.random.Generator
 ) -> Callable[[float], float]:
-    """A sum of tones at harmonics of the duration, of equal power in logarithmic spacing and random phases.
+    """Sum of tones at harmonics of the duration, logarithmically spaced, with random phases.
 
-    Its largest value is the amplitude; it rises from zero and falls to it.
+    Its maximum is `amplitude`; it fades in from zero and out to zero.
     """
     harmonics = np.unique(np.maximum(np.round(np.geomspace(*band, TONES) * duration), 1.0))
     frequencies = 2.0 * math.pi * harmonics / duration
     phases = rng.uniform(0.0, 2.0 * math.pi, len(frequencies))
-    weights = frequencies**-0.5  # more at low frequencies, where the voltages last
+    weights = frequencies**-0.5  # more power at low frequencies, where an axis moves far at small voltages
     grid = np.arange(0.0, duration, 0.02)
     largest = np.abs(np.cos(np.outer(grid, frequencies) + phases) @ weights).max()
 
@@ -75,9 +75,9 @@ def multisine(
 
 
 def design(rig: Rig, duration: float = LONGEST, seed: int = 0) -> Experiment:
-    """The best of some multisines, by the mean logarithm of the expected standard errors.
+    """Best of CANDIDATES multisine experiments, by the mean logarithm of the expected standard errors.
 
-    Pitch and elevation are excited at once, by references of a controller about hover, as large as the rig's limits
+    The references of a controller about hover excite pitch and elevation simultaneously, as far as the rig's limits
     permit: voltages within `rig.limits`, pitch within half of them.
 
     Raises ValueError for a duration that is not 10 to 60 s, or a rig whose limits permit no excitation.
@@ -103,7 +103,7 @@ def design(rig: Rig, duration: float = LONGEST, seed: int = 0) -> Experiment:
 def largest_flight(
     rig: Rig, parameters: MeasuredParameters, voltage: float, duration: float, rng: np.random.Generator
 ) -> FlightLog | None:
-    """A flight on random multisines, their size such that it stays within limits; None if that is nearly none."""
+    """Flight on random multisines of the largest size within the limits; None if that size is too small."""
     pitch = multisine(PITCH_BAND, duration, 1.0, rng)
     elevation = multisine(ELEVATION_BAND, duration, 1.0, rng)
     low, high = rig.limits.u
@@ -127,7 +127,7 @@ def largest_flight(
 def expected_errors(
     log: FlightLog, parameters: MeasuredParameters, voltage: float
 ) -> tuple[dict[str, float], dict[str, float]]:
-    """Standard errors of the parameters from such a flight, and relative to the prior's spread."""
+    """Expected standard errors of the parameters from a flight, absolute and relative to the prior's spread."""
     problem = Shooting([log], 1.0)
     names = [*COEFFICIENTS, *(name for effect in EFFECTS.values() for name in effect if name != "voltage_limit")]
     chosen = np.array([NAMES.index(name) for name in names])

@@ -1,4 +1,4 @@
-"""FlightLog: measured angles and commanded voltages on an even time grid, from CSV and MATLAB files."""
+"""FlightLog: measured angles and commanded voltages on a uniform time grid, from CSV and MATLAB files."""
 
 import json
 import math
@@ -18,31 +18,31 @@ from heli_gym.storage import atomic_write
 
 ANGLES = ("travel", "elevation", "pitch")
 VOLTAGES = ("u_front", "u_back")
-SUM_AND_DIFFERENCE = ("u_sum", "u_difference")  # of the two voltages, in their place
+SUM_AND_DIFFERENCE = ("u_sum", "u_difference")  # alternative names, for sum and difference of the voltages
 REFERENCES = ("travel_ref", "elevation_ref", "pitch_ref")
 TIME_NAMES = ("t", "time", "Time", "tout")
 UNITS = {"rad": 1.0, "deg": math.pi / 180.0, "V": 1.0, "mV": 1e-3, "s": 1.0, "ms": 1e-3, "us": 1e-6}
-SAMPLE_TIME = 0.01  # s, the grid of logs that are denser than that
-LONGEST_GAP = 0.25  # s, that is interpolated
-RATE_WINDOW = 0.21  # s, of the polynomials that rates are taken from
-TABLE_MARGIN = math.radians(2.0)  # above the table
-LEAST_TABLE = math.radians(15.0)  # a log that starts higher than that starts in the air
-SETTLING = 0.5  # s, from leaving the table on, in which (3) does not hold yet
+SAMPLE_TIME = 0.01  # s, grid of logs with shorter steps
+LONGEST_GAP = 0.25  # s, longest gap to interpolate
+RATE_WINDOW = 0.21  # s, window of the polynomials for rates
+TABLE_MARGIN = math.radians(2.0)  # rad, above the table
+LEAST_TABLE = math.radians(15.0)  # rad; a log that starts higher starts in the air
+SETTLING = 0.5  # s after leaving the table, without validity of (3)
 
 
 @dataclass(frozen=True, eq=False)
 class FlightLog:
-    """A measured flight on an even time grid.
+    """Measured flight on a uniform time grid.
 
     Args:
         t: (K,) times in s, from 0.
-        angles: (3, K) travel, elevation (positive down) and pitch in rad, as measured at the times.
-        voltages: (2, K) front and back in V as commanded, held from each time to the next.
-        references: (K,) arrays by the names `travel_ref`, `elevation_ref`, `pitch_ref`, in rad, where they were logged.
+        angles: (3, K) measured travel, elevation (positive down) and pitch in rad.
+        voltages: (2, K) commanded front and back voltages in V, held from each time to the next.
+        references: logged references in rad, (K,) each, by the names `travel_ref`, `elevation_ref`, `pitch_ref`.
         name: of the log.
 
     Raises:
-        ValueError: if a shape does not fit, a value is not finite, or the times are not even.
+        ValueError: if a shape is wrong, a value is not finite, or the times are not uniform.
     """
 
     t: np.ndarray
@@ -84,7 +84,7 @@ class FlightLog:
         return len(self.t)
 
     def part(self, start: float, end: float) -> "FlightLog":
-        """The log from start to end, both in s, with its time from 0."""
+        """Part of the log from `start` to `end` in s, with its time from 0."""
         first, last = np.searchsorted(self.t, (start - 1e-9, end + 1e-9))
         return FlightLog(
             self.t[first:last] - self.t[first],
@@ -95,19 +95,19 @@ class FlightLog:
         )
 
     def rates(self, window: float = RATE_WINDOW) -> np.ndarray:
-        """Rates (3, K) in rad/s by local cubic polynomials (Savitzky-Golay) over the window in s; not causal."""
+        """Non-causal rates (3, K) in rad/s by local cubic polynomials (Savitzky-Golay) over the window in s."""
         n = 2 * max(round(window / self.sample_time / 2.0), 2) + 1
         if len(self) < n:
             return np.gradient(self.angles, self.sample_time, axis=1)
         return savgol_filter(self.angles, n, 3, deriv=1, delta=self.sample_time, axis=1)
 
     def table_elevation(self) -> float:
-        """Elevation in rad of the table if the log starts on it, infinity if it starts in the air."""
+        """Elevation in rad of the table if the log starts on it; infinity if it starts in the air."""
         start = float(np.median(self.angles[1, : max(round(0.1 / self.sample_time), 1)]))
         return start if start > LEAST_TABLE else math.inf
 
     def airborne(self) -> np.ndarray:
-        """Mask (K,) of the samples above the table, for at least half a second."""
+        """Mask (K,) of the samples above the table for at least SETTLING."""
         up = np.asarray(self.angles[1] < self.table_elevation() - TABLE_MARGIN)
         if up.all():
             return up
@@ -117,7 +117,7 @@ class FlightLog:
         return up & (contacts == before)
 
     def saturated(self, limits: tuple[float, float] = (-24.0, 24.0)) -> np.ndarray:
-        """Mask (K,) of the samples at which a voltage is at or beyond the amplifier's limits in V."""
+        """Mask (K,) of the samples with a voltage at or beyond the amplifier's limits in V."""
         low, high = limits
         return np.any((self.voltages <= low + 1e-6) | (self.voltages >= high - 1e-6), axis=0)
 
@@ -146,25 +146,25 @@ class FlightLog:
     ) -> "FlightLog":
         """Read a flight from a .csv or a .mat file (MATLAB 5 to 7.3).
 
-        What is read is called t, travel, elevation, pitch, u_front, u_back (or u_sum and u_difference), and where there
-        are any travel_ref, elevation_ref, pitch_ref. A value v in the file is read as sign * (v - zero) * unit.
+        The quantities are t, travel, elevation, pitch, u_front, u_back (or u_sum and u_difference), and optionally
+        travel_ref, elevation_ref, pitch_ref. A value v in the file is read as sign * (v - zero) * unit.
 
-        The log is put on an even grid. Its step is `sample_time`; by default 10 ms, or the log's own step if that is
-        longer. Angles are interpolated linearly, voltages are averaged over the step that starts at the time, as they
-        were held. Rows that are not finite are left out; travel is unwrapped.
+        The log is resampled on a uniform grid. Its step is `sample_time`; by default 10 ms, or the log's own step if
+        that is longer. Angles are interpolated linearly; held voltages are averaged over each step. Rows with values
+        that are not finite are omitted; travel is unwrapped.
 
         Args:
             path: of the file.
-            columns: names in the file by the names above. In a .mat file `a.b` is a field, `a[2]` a row or column of
-                a matrix, counted from 0.
-            signs: -1 for what is measured the other way round, by the names above.
+            columns: names in the file by quantity. In a .mat file `a.b` is a field, `a[2]` a row or column of a
+                matrix, counted from 0.
+            signs: -1 for quantities measured in the opposite direction, by quantity.
             units: of the columns: `deg` or `rad`, `V` or `mV`, `s`, `ms` or `us`.
             zeros: values in the file, in its units, at which the quantity is 0.
-            mapping: .toml or .json file with the tables columns, signs, units, zeros; the arguments go first.
+            mapping: .toml or .json file with the tables columns, signs, units, zeros; arguments take precedence.
             sample_time: in s.
 
         Raises:
-            ValueError: if the file is damaged or of another kind, or lacks a column; the message lists what it holds.
+            ValueError: if the file is damaged, has another format, or lacks a column; the message lists its contents.
         """
         path = Path(path)
         tables = read_mapping(mapping) if mapping is not None else {}
@@ -191,12 +191,12 @@ class FlightLog:
 
 
 def is_wanted(held: Mapping[str, np.ndarray], name: str, columns: Mapping[str, str]) -> bool:
-    """Whether the file has the quantity under its own name, or a mapping says that it has."""
+    """Whether the file has the quantity under its own name or the mapping names a column for it."""
     return name in columns or name in held or (name == "t" and any(other in held for other in TIME_NAMES))
 
 
 def lacks(path: Path, name: str, held: Mapping[str, np.ndarray]) -> str:
-    """What to say of a file that lacks a column."""
+    """Error message about a missing column."""
     contents = ", ".join(f"{key} {value.shape}" if value.ndim > 1 else key for key, value in held.items())
     return (
         f"{str(path)!r} has no column for {name!r}; it holds {contents or 'nothing of numbers'}. Say which is which: "
@@ -207,7 +207,7 @@ def lacks(path: Path, name: str, held: Mapping[str, np.ndarray]) -> str:
 def column(
     held: Mapping[str, np.ndarray], name: str, tables: Mapping[str, Mapping[str, Any]], path: Path
 ) -> np.ndarray:
-    """A quantity out of the file, in rad, V or s. Raises ValueError if it is not there or is no series of numbers."""
+    """Series of a quantity in rad, V or s. Raises ValueError if it is missing or not a series of numbers."""
     key = str(tables["columns"].get(name, name))
     if name == "t" and key not in held and name not in tables["columns"]:
         key = next(other for other in TIME_NAMES if other in held)
@@ -240,7 +240,7 @@ def column(
 
 
 def read_mapping(path: str | os.PathLike) -> dict[str, dict[str, Any]]:
-    """The tables columns, signs, units and zeros of a .toml or .json file. Raises ValueError for anything else."""
+    """Read the tables columns, signs, units and zeros of a .toml or .json file. Raises ValueError for anything else."""
     path = Path(path)
     try:
         text = path.read_text()
@@ -258,7 +258,7 @@ def read_mapping(path: str | os.PathLike) -> dict[str, dict[str, Any]]:
 
 
 def read_csv(path: Path) -> dict[str, np.ndarray]:
-    """The columns of a text file with a line of names, by these; separated by commas, semicolons, tabs or blanks."""
+    """Read the columns, by name, of a text file with a header; separated by commas, semicolons, tabs or blanks."""
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
     except UnicodeDecodeError as error:
@@ -291,7 +291,7 @@ def read_csv(path: Path) -> dict[str, np.ndarray]:
 
 
 def is_number(text: str) -> bool:
-    """Whether it reads as a number."""
+    """Whether the text is a number."""
     try:
         float(text)
     except ValueError:
@@ -300,14 +300,14 @@ def is_number(text: str) -> bool:
 
 
 def read_mat(path: Path) -> dict[str, np.ndarray]:
-    """All series and matrices of numbers in a MATLAB file, by their names; fields of structs by dotted names."""
+    """Read all series and matrices of numbers in a MATLAB file, by name; fields of structs by dotted names."""
     with open(path, "rb") as file:
         head = file.read(8)
     if head == b"\x89HDF\r\n\x1a\n" or path_is_hdf5(path):
         return read_hdf5(path)
     try:
         contents = loadmat(path, simplify_cells=True)
-    except Exception as error:  # scipy raises whatever a damaged file runs it into
+    except Exception as error:  # scipy raises exceptions of any type for damaged files
         raise ValueError(f"{str(path)!r} must be a .csv or a .mat file: {error}") from error
     found: dict[str, np.ndarray] = {}
     for name, value in contents.items():
@@ -317,7 +317,7 @@ def read_mat(path: Path) -> dict[str, np.ndarray]:
 
 
 def flatten(name: str, value: Any, found: dict[str, np.ndarray]) -> None:
-    """Collect the series and matrices of numbers in a value of a MATLAB file, under dotted names."""
+    """Add the series and matrices of numbers in a value of a MATLAB file to `found`, under dotted names."""
     if isinstance(value, dict):
         for key, item in value.items():
             flatten(f"{name}.{key}", item, found)
@@ -334,14 +334,14 @@ def flatten(name: str, value: Any, found: dict[str, np.ndarray]) -> None:
 
 
 def path_is_hdf5(path: Path) -> bool:
-    """Whether it is a MATLAB 7.3 file: HDF5 behind a header of 512 bytes."""
+    """Whether the file is a MATLAB 7.3 file: HDF5 after a header of 512 bytes."""
     with open(path, "rb") as file:
         file.seek(512)
         return file.read(8) == b"\x89HDF\r\n\x1a\n"
 
 
 def read_hdf5(path: Path) -> dict[str, np.ndarray]:
-    """The same of a MATLAB 7.3 file, whose matrices are stored transposed."""
+    """Read all series and matrices of numbers in a MATLAB 7.3 file, whose matrices are stored transposed."""
     try:
         import h5py
     except ImportError as error:
@@ -361,7 +361,7 @@ def read_hdf5(path: Path) -> dict[str, np.ndarray]:
 
 
 def on_even_grid(values: dict[str, np.ndarray], sample_time: float | None, path: Path) -> tuple:
-    """Times, angles, voltages and references on an even grid; see `FlightLog.load`."""
+    """Resample times, angles, voltages and references on a uniform grid; see `FlightLog.load`."""
     lengths = {name: len(value) for name, value in values.items()}
     if len(set(lengths.values())) > 1:
         raise ValueError(f"{str(path)!r}: the columns must be of one length, and are {lengths}")
@@ -389,7 +389,7 @@ def on_even_grid(values: dict[str, np.ndarray], sample_time: float | None, path:
     if len(grid) < 3:
         raise ValueError(f"{str(path)!r} must be longer than two samples of {sample_time:g} s")
     angles = np.array([np.interp(grid, t - t[0], turned(values, name)) for name in ANGLES])
-    # the integral of what is held, whose increments over the steps are their means
+    # increments of the integral of the held voltages are their means over the steps
     ends = np.append(t - t[0], t[-1] - t[0] + max(own, sample_time))
     voltages = np.empty((2, len(grid)))
     for mean, name in zip(voltages, VOLTAGES):
@@ -400,5 +400,5 @@ def on_even_grid(values: dict[str, np.ndarray], sample_time: float | None, path:
 
 
 def turned(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
-    """An angle; travel without the jumps of an angle that is wrapped to one turn."""
+    """Return an angle; travel is unwrapped if it jumps by a turn."""
     return np.unwrap(values[name]) if name == "travel" else values[name]

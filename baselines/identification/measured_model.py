@@ -1,7 +1,7 @@
-"""Equation (3) with the effects of real rigs, as a function of one vector of parameters; compiled, with dual numbers.
+"""Compiled model of real rigs: equation (3) with further effects, as a function of one parameter vector.
 
-All kernels compute with dual numbers (complex ones with infinitesimal imaginary parts), so that each serves the values
-and their exact derivatives: by parameters, by the initial state, by offsets.
+All kernels compute with dual numbers (complex numbers with infinitesimal imaginary parts), so that each computes values
+and exact derivatives by parameters, initial state and offsets.
 """
 
 import math
@@ -16,48 +16,48 @@ from heli_gym.compilation import jit_cached
 from heli_gym.model import dynamics, rk4_step
 from heli_gym.parameters import HelicopterParameters
 
-LEVER = 0.27  # arm of a rotor about the pitch axis, over that about the elevation axis; so on all known rigs
+LEVER = 0.27  # ratio of a rotor's arms about the pitch and elevation axes, the same on all known rigs
 
 
 class MeasuredParameters(NamedTuple):
-    """What the motion of a real rig depends on; the first nine are the coefficients of (3).
+    """Parameters of the motion of a real rig; the first nine are the coefficients of (3).
 
-    The defaults are about the middle of identified rigs, and a start of the search.
+    The defaults are near the middle of identified rigs and are the start of the search.
     """
 
     a1: Any = -1.2  # rad/s²
     a2: Any = 0.8  # rad/s²
     a3: Any = -0.5  # rad/s²
-    b1: Any = -0.4  # rad/s² per unit of thrust, which is one rotor's in hover
-    b2: Any = -0.4  # the same, on elevation
-    b3: Any = 2.5  # the same, on pitch
+    b1: Any = -0.4  # rad/s² per unit of thrust; the unit is one rotor's thrust in hover
+    b2: Any = -0.4  # likewise, on elevation
+    b3: Any = 2.5  # likewise, on pitch
     c1: Any = 0.1  # 1/s
     c2: Any = 0.2  # 1/s
     c3: Any = 0.2  # 1/s
     exponent: Any = 1.9  # of the thrust in the rotor's voltage
-    reverse: Any = 0.3  # thrust backwards, as a share of that forwards
-    mismatch: Any = 0.0  # front rotor stronger by this share, back rotor weaker
+    reverse: Any = 0.3  # ratio of backward to forward thrust
+    mismatch: Any = 0.0  # share by which the front rotor is stronger and the back rotor weaker
     lag: Any = 0.1  # s
     delay: Any = 0.02  # s
     pitch_zero: Any = 0.0  # rad, measured pitch at which the thrusts do not accelerate travel
     pitch_trim: Any = 0.0  # rad/s², on pitch
     voltage_limit: Any = 1000.0  # V, of the amplifier, on both sides
-    centrifugal: Any = 1.0  # on elevation by the square of the travel rate, with its Coriolis moment on travel
-    centre: Any = 0.0  # rad, elevation at which that vanishes
-    pitch_spin: Any = 1.0  # centrifugal moment of the body on pitch
+    centrifugal: Any = 1.0  # factor of the arm's centrifugal moment on elevation and its Coriolis moment on travel
+    centre: Any = 0.0  # rad, elevation at which the centrifugal moment vanishes
+    pitch_spin: Any = 1.0  # factor of the body's centrifugal moment on pitch
     gyro: Any = 0.0  # 1/s, gyroscopic moment of the rotors on pitch, by the rates of elevation and travel
-    pitch_speed: Any = 0.0  # 1/rad, on pitch by the square of the travel rate, with its sign
+    pitch_speed: Any = 0.0  # 1/rad, pitch acceleration per signed square of the travel rate
 
 
 NAMES = MeasuredParameters._fields
 
 
 def measured_dynamics(x: Any, f: Any, p: Any, offsets: Any) -> tuple:
-    """Time derivative of the state x (6,) under the thrusts f (front, back); offsets (3,) in rad/s².
+    """Time derivative of the state x (6,) under the thrusts f (front, back) and accelerations `offsets` (3,) in rad/s².
 
-    To (3) come, of the rigid body in `heli_gym.rigid_body`, the centrifugal and Coriolis moments of the arm and of the
-    body; the gyroscopic moment of rotors that turn the same way round, with its reaction on the arm, so that it does no
-    work; and the moment of the airflow on pitch.
+    Added to (3) are the centrifugal and Coriolis moments of arm and body, from `heli_gym.rigid_body`; the gyroscopic
+    moment of rotors with equal sense of rotation, with its reaction on the arm, so that it does no work; and the moment
+    of the airflow on pitch.
     """
     q1, dq1, q2, dq2, q3, dq3 = x
     tilt = q3 - p.pitch_zero
@@ -85,12 +85,12 @@ def dual_power(w: Any, exponent: Any) -> Any:
 
 
 def clip(u: float, limit: Any) -> Any:
-    """The voltage within the amplifier's limits on both sides."""
+    """Clip the voltage to the amplifier's limits."""
     return limit if u > limit.real else -limit if u < -limit.real else u + 0j
 
 
 def rotor_thrust(w: Any, p: Any, voltage: float) -> Any:
-    """Thrust of a rotor at the lagged voltage w, in units of that at `voltage`."""
+    """Thrust of a rotor at the lagged voltage w, relative to its thrust at `voltage`."""
     f = dual_power(w / voltage, p.exponent)
     return f if w.real > 0 else -p.reverse * f
 
@@ -103,7 +103,7 @@ def dual_exp(z: Any) -> Any:
 
 @cache
 def thrust_kernel() -> Callable:
-    """Compiled: fill in the thrusts f (2, 2 K + 1) of the commanded voltages u (2, K), at the half steps."""
+    """Compile a function that fills in thrusts f (2, 2 K + 1) at half steps from commanded voltages u (2, K)."""
 
     def fill_thrusts(u, theta, dt, voltage, f):
         p = unpack(theta)
@@ -125,7 +125,7 @@ def thrust_kernel() -> Callable:
 
 
 def unpack(theta: Any) -> Any:
-    """The parameters out of their vector."""
+    """Unpack the parameter vector into MeasuredParameters."""
     return MeasuredParameters(
         theta[0], theta[1], theta[2], theta[3], theta[4], theta[5], theta[6], theta[7], theta[8], theta[9], theta[10],
         theta[11], theta[12], theta[13], theta[14], theta[15], theta[16], theta[17], theta[18], theta[19], theta[20],
@@ -134,14 +134,14 @@ def unpack(theta: Any) -> Any:
 
 
 def flow(x: Any, f: Any, k: int, dt: float, p: Any, offsets: Any) -> Any:
-    """State one sample after sample k."""
+    """State one sample after sample k, by a Runge-Kutta step."""
     inputs = (f[0, 2 * k], f[1, 2 * k]), (f[0, 2 * k + 1], f[1, 2 * k + 1]), (f[0, 2 * k + 2], f[1, 2 * k + 2])
     return rk4_step(measured_dynamics, x, inputs, dt, p, offsets)
 
 
 @cache
 def simulation_kernel() -> Callable:
-    """Compiled: fill in the states y (6, n + 1) from z (9,), the state and offsets at sample k, under thrusts f."""
+    """Compile a function that fills in states y (6, n + 1) from state and offsets z (9,) at sample k, and thrusts f."""
 
     def simulate(z, f, k, dt, theta, y):
         p = unpack(theta)
@@ -159,10 +159,10 @@ def simulation_kernel() -> Callable:
 
 @cache
 def sensitivity_kernel() -> Callable:
-    """Compiled: angles y (W, 3, n + 1) over windows, and their derivatives by initial states, offsets and parameters.
+    """Compile a function that fills in angles y (W, 3, n + 1) over windows, and derivatives dy (W, 9 + P, 3, n + 1).
 
-    starts (W,) are samples, z (W, 9) states and offsets there; df (P, 2, 2 K + 1) are thrusts whose imaginary parts are
-    the derivatives by the chosen parameters; dy is (W, 9 + P, 3, n + 1).
+    starts (W,) are the first samples, z (W, 9) states and offsets there; df (P, 2, 2 K + 1) are thrusts with the
+    derivatives by the chosen parameters as imaginary parts. dy is by initial states, offsets and parameters.
     """
 
     def simulate_windows(z, starts, df, dt, theta, chosen, y, dy):
@@ -193,16 +193,16 @@ def sensitivity_kernel() -> Callable:
     return jit_cached(simulate_windows)
 
 
-N = 12  # the filter's state: angles and rates, offsets that fade, offsets that stay
+N = 12  # size of the filter's state: angles and rates, fading offsets, constant offsets
 
 
 @cache
 def filter_kernel() -> Callable:
-    """Compiled: extended Kalman filter on the angles (3, K); fill in estimates z (12, K) and innovations e (3, K).
+    """Compile an extended Kalman filter on angles (3, K) that fills in estimates z (12, K) and innovations e (3, K).
 
-    The state is that of (3), accelerations (3,) that fade by the factors decay (3,) per sample, and accelerations (3,)
-    that stay. q (12,) are the variances that it gains per second, r (3,) those of the measurements; P (12, 12) is the
-    first covariance and then the last. z is given at the sample `first`.
+    The state is that of (3), accelerations (3,) that decay by the factors `decay` (3,) per sample, and constant
+    accelerations (3,). q (12,) are process variances per second, r (3,) measurement variances; P (12, 12) is the
+    initial covariance and is overwritten by the final one. z is given at the sample `first`.
     """
 
     def run_filter(angles, f, dt, theta, q, r, decay, z, e, P, first, last):
@@ -258,7 +258,7 @@ def filter_kernel() -> Callable:
 
 @cache
 def prediction_kernel() -> Callable:
-    """Compiled: fill in the angles y (S, 3, n + 1) predicted from the estimates z (12, K) at samples starts (S,)."""
+    """Compile a function that fills in angles y (S, 3, n + 1), predicted from estimates z (12, K) at starts (S,)."""
 
     def predict(z, starts, f, dt, theta, decay, y):
         p = unpack(theta)
@@ -278,7 +278,7 @@ def prediction_kernel() -> Callable:
 
 
 def dual_thrusts(theta: np.ndarray, voltages: np.ndarray, dt: float, voltage: float, chosen: np.ndarray) -> np.ndarray:
-    """Thrusts (P + 1, 2, 2 K + 1) with the derivatives by the chosen parameters as imaginary parts; the last plain."""
+    """Thrusts (P + 1, 2, 2 K + 1): P with derivatives by the chosen parameters as imaginary parts, the last real."""
     f = np.empty((len(chosen) + 1, 2, 2 * voltages.shape[1] + 1), dtype=complex)
     for i in range(len(chosen) + 1):
         moved = theta.astype(complex)

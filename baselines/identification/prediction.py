@@ -1,8 +1,8 @@
-"""How well a model predicts: windows that were not fitted, from a present state that is estimated from the past only.
+"""Prediction error of a model on windows outside the fit, from a state estimated from past data only.
 
-At the start of a window, an extended Kalman filter on the identified model has seen the angles up to then. It also
-estimates accelerations that the model lacks: some that fade within a second or so, some that stay. Within the window,
-the voltages are known, as they are for the black box.
+At the start of a window, an extended Kalman filter on the identified model has processed the angles so far. It also
+estimates unmodelled accelerations: fading ones, with time constants of about a second, and constant ones. Within the
+window, the voltages are known, as for the black box.
 """
 
 import math
@@ -20,18 +20,19 @@ from heli_gym.baselines.identification.measured_model import N, dual_thrusts, fi
 HORIZONS = (1.0, 3.0)  # s
 BETWEEN_STARTS = 0.1  # s
 HISTORY = 0.6  # s, airborne, before a window starts
-POLYNOMIAL = 0.21  # s, over which the plain predictors take rates and accelerations
-MOVING = np.radians(2.0)  # rad, range of an axis in the part that is judged, below which ratios say nothing
-PAST, AHEAD, STEP = 0.4, 1.0, 0.05  # s, of the voltages that the black box sees
+POLYNOMIAL = 0.21  # s, window of the rates and accelerations of the plain predictors
+MOVING = np.radians(2.0)  # rad, smallest range of an axis in the validated part for a meaningful ratio
+PAST, AHEAD, STEP = 0.4, 1.0, 0.05  # s, window and averaging time of the voltages for the black box
 RIDGES = 10.0 ** np.arange(-3.0, 2.1, 1.0)  # weights to choose from, relative to the number of windows
 FOLDS = 5
 
 
 class Settings(NamedTuple):
-    """The filter's settings, (3,) each for travel, elevation and pitch.
+    """Settings of the filter, (3,) each for travel, elevation and pitch.
 
-    Decimal logarithms: of the variances that rates, fading and lasting accelerations gain per second (in rad, s), and
-    of the time in s in which the former fade. The defaults are the best on the fitted shares of measured flights.
+    All are decimal logarithms: of the process variances per second of rates, fading and lasting accelerations (in rad,
+    s), and of the time constant in s of the fading ones. The defaults are the best on the fitted shares of measured
+    flights.
     """
 
     rates: np.ndarray = np.array([-4.0, -4.0, -3.0])
@@ -42,13 +43,13 @@ class Settings(NamedTuple):
 
 BOUNDS = Settings(rates=(-7.0, 1.0), fading=(-7.0, 1.0), times=(-1.0, 1.5), lasting=(-7.0, 0.0))  # type: ignore
 STEPS = (1.0, 0.5)  # of the search for settings
-GAIN, LEAST_GAIN = 0.5, 0.01  # of the logarithm of the error, for which a setting is moved: s, over the seconds fitted
+GAIN, LEAST_GAIN = 0.5, 0.01  # smallest decrease of the error's logarithm for a step: s, divided by the fitted time
 SHRINKAGES = np.radians([0.0, 0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0])  # to choose from
-FLOOR = np.radians(0.1)  # rad, of errors whose logarithm is taken
+FLOOR = np.radians(0.1)  # rad, added to errors before their logarithm
 
 
 class FilteredLog:
-    """A log, and the estimates of the filter on it."""
+    """Log with the filter's estimates."""
 
     def __init__(self, log: FlightLog, model: Identification, settings: Settings = Settings()) -> None:
         self.log, self.model, self.settings = log, model, settings
@@ -60,7 +61,7 @@ class FilteredLog:
         q = np.zeros(N)
         q[1:6:2], q[6:9], q[9:] = 10.0**settings.rates, 10.0**settings.fading, 10.0**settings.lasting
         counts = np.array(model.start.encoder_counts)
-        r = 4.0 * (2.0 * math.pi / counts) ** 2 / 12.0  # twice the spread of rounding to one count
+        r = 4.0 * (2.0 * math.pi / counts) ** 2 / 12.0  # twice the standard deviation of rounding to one count
         self.z, self.innovations = np.zeros((N, len(log))), np.zeros((3, len(log)))
         self.z[0:6:2, self.first] = log.angles[:, self.first]
         self.z[1:6:2, self.first] = polynomial_ends(log)[0][:, self.first]
@@ -70,14 +71,14 @@ class FilteredLog:
         )
 
     def predict(self, starts: np.ndarray, n: int) -> np.ndarray:
-        """Angles (S, 3, n + 1) in rad from the samples starts (S,) on."""
+        """Predict angles (S, 3, n + 1) in rad from the samples starts (S,) on."""
         y = np.empty((len(starts), 3, n + 1))
         prediction_kernel()(self.z, starts, self.f, self.log.sample_time, self.theta, self.decay, y)
         return y
 
 
 def polynomial_ends(log: FlightLog) -> tuple[np.ndarray, np.ndarray]:
-    """Rates and accelerations (3, K) at the end of quadratics through the last 0.2 s: causal."""
+    """Causal rates and accelerations (3, K): at the end of quadratics through the last 0.2 s."""
     n = 2 * max(round(POLYNOMIAL / log.sample_time / 2.0), 1) + 1
     padded = np.concatenate((np.repeat(log.angles[:, :1], n - 1, axis=1), log.angles), axis=1)
     windows = np.lib.stride_tricks.sliding_window_view(padded, n, axis=1)
@@ -90,7 +91,7 @@ def polynomial_ends(log: FlightLog) -> tuple[np.ndarray, np.ndarray]:
 def horizon_starts(
     log: FlightLog, share: tuple[float, float], horizon: float, between: float = BETWEEN_STARTS
 ) -> np.ndarray:
-    """First samples (S,) of windows of a horizon in s, within a share of the log, airborne from before to the end."""
+    """First samples (S,) of windows of a horizon in s within a share of the log, airborne throughout."""
     n, step = round(horizon / log.sample_time), max(round(between / log.sample_time), 1)
     history, count = round(HISTORY / log.sample_time), len(log)
     on_ground = np.concatenate(([0], np.cumsum(~log.airborne())))
@@ -106,12 +107,12 @@ def errors_at(log: FlightLog, starts: np.ndarray, n: int, predicted: np.ndarray)
 
 
 def constant_rate(log: FlightLog, starts: np.ndarray, horizon: float) -> np.ndarray:
-    """Angles (3, S) if rates stay as they are."""
+    """Predict angles (3, S) with constant rates."""
     return log.angles[:, starts] + horizon * polynomial_ends(log)[0][:, starts]
 
 
 def constant_acceleration(log: FlightLog, starts: np.ndarray, horizon: float) -> np.ndarray:
-    """Angles (3, S) if accelerations stay as they are."""
+    """Predict angles (3, S) with constant accelerations."""
     rate, acceleration = polynomial_ends(log)
     return log.angles[:, starts] + horizon * rate[:, starts] + 0.5 * horizon**2 * acceleration[:, starts]
 
@@ -126,17 +127,17 @@ def voltage_features(log: FlightLog, starts: np.ndarray) -> np.ndarray:
 
 
 def state_features(log: FlightLog, starts: np.ndarray) -> np.ndarray:
-    """Present angles, but for travel, whose zero means nothing, and rates (S, 5)."""
+    """Current angles and rates (S, 5), without the travel angle, whose zero is arbitrary."""
     return np.concatenate((log.angles[1:, starts], polynomial_ends(log)[0][:, starts])).T
 
 
 class Ridge:
-    """Ridge regression of three targets, the weight of each by cross-validation over blocks in time.
+    """Ridge regression of three targets, each with its weight from cross-validation over blocks in time.
 
     Args:
         X: (S, F) features, in the order of time.
         Y: (S, 3) targets.
-        gap: windows that overlap, which are left out between what is fitted and what is judged.
+        gap: number of windows omitted between fitted and validated blocks, since windows overlap.
     """
 
     def __init__(self, X: np.ndarray, Y: np.ndarray, gap: int) -> None:
@@ -159,23 +160,23 @@ class Ridge:
 
     @staticmethod
     def solve(X: np.ndarray, Y: np.ndarray, weight: float) -> Callable[[np.ndarray], np.ndarray]:
-        """The regression with one weight."""
+        """Fit the regression with one weight; return its predictor."""
         mean, spread, middle = X.mean(axis=0), X.std(axis=0) + 1e-9, Y.mean(axis=0)
         A = (X - mean) / spread
         coefficients = np.linalg.solve(A.T @ A + weight * len(X) * np.eye(A.shape[1]), A.T @ (Y - middle))
         return lambda features: (features - mean) / spread @ coefficients + middle
 
     def __call__(self, X: np.ndarray) -> np.ndarray:
-        """Targets (3, S) at the features X (S, F)."""
+        """Predict targets (3, S) at the features X (S, F)."""
         guesses = {i: model(X) for i, model in self.models.items()}
         return np.array([guesses[i][:, axis] for axis, i in enumerate(self.best.tolist())])
 
 
 def black_box(log: FlightLog, fit_share: float, horizon: float, starts: np.ndarray) -> np.ndarray | None:
-    """Angles (3, S) that ridge regression predicts; None if the fitted share has too few windows.
+    """Predict angles (3, S) by ridge regression; None if the fitted share has too few windows.
 
-    From the present angles and rates and the voltages of 0.4 s before to 1 s after; fitted on the first share of the
-    same log, with its deviation from constant rate as the target.
+    Features are the current angles and rates and the voltages from 0.4 s before to 1 s after; the target is the
+    deviation from constant rate. Fitted on the first share of the same log.
     """
     n, between = round(horizon / log.sample_time), 0.02
     fitted = horizon_starts(log, (0.0, fit_share), horizon, between)
@@ -187,16 +188,16 @@ def black_box(log: FlightLog, fit_share: float, horizon: float, starts: np.ndarr
 
 
 def shrink(plain: np.ndarray, predicted: np.ndarray, size: Any) -> np.ndarray:
-    """The prediction, drawn towards the plain one the more, the less the two differ; half way at `size` in rad.
+    """Shrink a prediction towards the plain one: half way where they differ by `size` in rad, more where by less.
 
-    Where little happens, the model's error is larger than that of no model.
+    Without it, the model's error exceeds that of the plain prediction where little moves.
     """
     difference = predicted - plain
     return plain + difference**3 / (difference**2 + size**2 + 1e-18)
 
 
 def shrinkage(logs: Sequence[FlightLog], model: Identification, settings: Settings, horizon: float) -> np.ndarray:
-    """Sizes (3,) in rad for `shrink` towards constant rate that are best on the fitted shares, axis by axis."""
+    """Best sizes (3,) in rad of `shrink` towards constant rate on the fitted shares, axis by axis."""
     parts = []
     for log in logs:
         k, n = horizon_starts(log, (0.0, model.fit_share), horizon), round(horizon / log.sample_time)
@@ -211,9 +212,9 @@ def shrinkage(logs: Sequence[FlightLog], model: Identification, settings: Settin
 
 
 def tune(logs: Sequence[FlightLog], model: Identification, start: Settings = Settings()) -> Settings:
-    """Settings of the filter that predict best at 1 s over the fitted shares, by a search that starts at the defaults.
+    """Search settings of the filter, from the defaults, that predict best at 1 s over the fitted shares.
 
-    Each axis has its own settings, and moves on its own.
+    Settings are searched axis by axis.
     """
 
     def criterion(settings: Settings) -> np.ndarray:
@@ -253,14 +254,14 @@ def rms(errors: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class Validation:
-    """Errors of predictors on the windows of one log that were not fitted.
+    """Errors of predictors on the validation windows of one log.
 
     Attributes:
         name: of the log.
-        moved: (3,) rad, range of the angles in the judged part.
+        moved: (3,) rad, range of the angles in the validated part.
         rms: by horizon in s and predictor, (3,) rad.
         windows: number of windows by horizon.
-        whiteness: (3,) autocorrelation of the filter's innovations at one sample, white ones would have 0.
+        whiteness: (3,) autocorrelation of the filter's innovations at one sample, 0 for white noise.
         settled: (3,) time in s after which the innovations' autocorrelation is below 0.2.
     """
 
@@ -279,7 +280,7 @@ def validate(
     horizons: Sequence[float] = HORIZONS,
     compare: bool = True,
 ) -> list[Validation]:
-    """Errors of the model and, to compare, of the plain predictors, log by log, after the fitted share."""
+    """Validate the model and, for comparison, the plain predictors, on each log after the fitted share."""
     result = []
     sizes = {horizon: shrinkage(logs, model, settings, horizon)[:, None] for horizon in horizons}
     for log in logs:
@@ -323,10 +324,10 @@ def whiteness(filtered: FilteredLog) -> tuple[np.ndarray, np.ndarray]:
 def report(
     logs: Sequence[FlightLog], model: Identification, validations: Sequence[Validation], rig: dict[str, Any]
 ) -> dict[str, Any]:
-    """What `heli-identify --json` writes: RMS errors in degrees over all logs' windows that were not fitted.
+    """Report of `heli-identify --json`: RMS errors in degrees over the validation windows of all logs.
 
-    Windows of all logs count alike. `rms_deg` is that of the model, shrunk towards constant rate where it predicts
-    little motion; `model_rms_deg` that of the model alone.
+    Windows of all logs have equal weight. `rms_deg` is the error of the model with `shrink` towards constant rate,
+    `model_rms_deg` that of the model alone.
     """
     prediction: dict[str, Any] = {}
     for axis, name in enumerate(ANGLES):
@@ -384,7 +385,7 @@ def pooled(validations: Sequence[Validation], horizon: float, predictor: str) ->
 
 
 def verdicts(validations: Sequence[Validation]) -> list[str]:
-    """In words, axis by axis, how well the model predicts 1 s ahead, over the logs in which the axis moves."""
+    """Sentences, axis by axis, on the prediction 1 s ahead, over the logs in which the axis moves."""
     lines = []
     for axis, name in enumerate(ANGLES):
         moving = [v for v in validations if v.moved[axis] > MOVING and 1.0 in v.rms]

@@ -1,4 +1,4 @@
-"""Logs of flights that never took place, of rigs that are known: to see whether identification finds them again."""
+"""Simulated flight logs of known rigs, to check that identification recovers their parameters."""
 
 import math
 from collections.abc import Callable
@@ -9,11 +9,11 @@ from heli_gym.baselines.identification.flight_log import FlightLog
 from heli_gym.baselines.identification.measured_model import MeasuredParameters, simulation_kernel, thrust_kernel
 
 COUNTS = (8192, 4096, 4096)  # encoders, per revolution
-BLOCK = 2  # samples between two decisions of the controller
+BLOCK = 2  # samples per control period
 
 
 def hover_of(parameters: MeasuredParameters, voltage: float) -> np.ndarray:
-    """Voltages (2,) in V at which the rig rests level, in units in which one rotor thrusts 1 at `voltage`."""
+    """Voltages (2,) in V at which the rig hovers level, where the unit of thrust is one rotor's at `voltage` in V."""
     p = parameters
     total = -p.a2 / (p.b2 * math.cos(p.pitch_zero))
     difference = -(p.pitch_trim - p.a3 * math.sin(p.pitch_zero)) / p.b3
@@ -30,15 +30,15 @@ def simulate_log(
     rng: np.random.Generator | None = None,
     name: str = "simulated",
 ) -> FlightLog:
-    """A flight of a known rig: PD control of pitch and elevation about hover, with an excitation, and real sensors.
+    """Simulate a flight of a rig: PD control of pitch and elevation about hover, excitation, and encoder counts.
 
     Args:
         parameters: of the rig.
-        voltage: V, at which one rotor thrusts one unit.
-        excitation: references (pitch, elevation) in rad at a time in s.
+        voltage: V, at which one rotor has one unit of thrust.
+        excitation: function of time in s that returns the references (pitch, elevation) in rad.
         duration: s.
         dt: s, sample time.
-        rng: for the phase of the encoders; none lets their counts begin at the start.
+        rng: for the phase of the encoders; without it, counts begin at the initial angles.
         name: of the log.
     """
     n = round(duration / dt)
@@ -46,7 +46,7 @@ def simulate_log(
     counts = 2.0 * math.pi / np.array(COUNTS)
     phase = np.full(3, 0.5) if rng is None else rng.uniform(0.0, 1.0, 3)
     hover = hover_of(parameters, voltage)
-    # moments per volt about hover, for gains that suit any rig
+    # accelerations per volt about hover, to scale the gains to the rig
     slope = parameters.exponent * abs(parameters.b3) / voltage
     lift = 2.0 * parameters.exponent * abs(parameters.b2) / voltage
     u, angles = np.tile(hover[:, None], (1, n + 1)), np.empty((3, n + 1))
@@ -77,12 +77,12 @@ def simulate_log(
 
 
 def quantise(angles: np.ndarray, counts: np.ndarray, phase: np.ndarray) -> np.ndarray:
-    """Angles as encoders give them, their steps at a phase in [0, 1), without a bias."""
+    """Quantise angles as encoders do, with steps at a phase in [0, 1), without a bias."""
     return counts * (np.floor(angles / counts + phase) + 0.5 - phase)
 
 
 def square_waves(pitch: float = 0.3, elevation: float = 0.15) -> Callable[[float], tuple[float, float]]:
-    """References that jump: pitch every 2.5 s between three values, elevation every 4 s."""
+    """Square-wave references: pitch jumps every 2.5 s between three values, elevation every 4 s."""
 
     def references(t: float) -> tuple[float, float]:
         return pitch * (0.0, 1.0, -1.0, 0.5, -1.0, 1.0)[int(t / 2.5) % 6], elevation * (0.0, 1.0, -1.0)[
@@ -93,7 +93,7 @@ def square_waves(pitch: float = 0.3, elevation: float = 0.15) -> Callable[[float
 
 
 def random_rig(rng: np.random.Generator) -> tuple[MeasuredParameters, float]:
-    """Parameters of a rig within what identified rigs have, and its hover voltage in V."""
+    """Draw parameters within the range of identified rigs, and the hover voltage in V."""
     a2 = rng.uniform(0.5, 1.1)
     b2 = -0.5 * a2 * rng.uniform(0.95, 1.05)
     p = MeasuredParameters(
