@@ -1,10 +1,10 @@
-"""Speed of the environment and of others: tables of steps per second and of ratios.
+"""Speed of this environment and of others: tables of steps per second and of ratios.
 
     python benchmarks/environment.py [--quick] [--threads 2] [--table out/environment.md]
 
-Gymnasium's environments are always there; EnvPool (with six) and gymnax are measured where they can be imported, and so
-is PPO, with the extra `train`. All rates are medians of runs that take turns, so that a machine that slows down slows
-all of them down: quote the ratios. `benchmarks/simulators.py` is for those that cannot live beside numpy 2.
+Gymnasium's environments are always included; EnvPool (with six), gymnax, and PPO from the extra `train` are measured if
+they can be imported. Rates are medians of interleaved runs, so that a slowdown of the machine affects all of them:
+quote the ratios. `benchmarks/simulators.py` measures simulators that are incompatible with numpy 2.
 """
 
 import argparse
@@ -27,12 +27,12 @@ from heli_gym.task import OBSERVED
 
 HELI = "Heli3DOF-v0"
 SIZES = (1, 64, 1024, 16384)
-ACTIONS = 8  # drawn ahead
-Runner = Callable[[], int]  # steps for a while and returns the number of steps
+ACTIONS = 8  # number of actions drawn in advance
+Runner = Callable[[], int]  # runs for a while and returns the number of steps
 
 
 def one(env: gym.Env, steps: int = 500) -> Runner:
-    """Step one environment under random actions, episode after episode."""
+    """Runner of one environment under random actions, over several episodes."""
     env.action_space.seed(0)
     actions = [near_hover(env.action_space.sample()) for _ in range(512)]
     env.reset(seed=0)
@@ -48,9 +48,10 @@ def one(env: gym.Env, steps: int = 500) -> Runner:
 
 
 def many(envs: gym.vector.VectorEnv, n: int, lockstep: bool = True) -> Runner:
-    """Step a vector environment, which resets by itself.
+    """Runner of a vector environment with automatic resets.
 
-    Helicopters either all start at once, or spread over the maneuver, as in training: some flights end in every step.
+    Helicopters start simultaneously with `lockstep`, otherwise spread over the maneuver as in training, so that some
+    flights end in every step.
     """
     envs.action_space.seed(0)
     actions = [near_hover(envs.action_space.sample()) for _ in range(ACTIONS)]
@@ -59,7 +60,7 @@ def many(envs: gym.vector.VectorEnv, n: int, lockstep: bool = True) -> Runner:
 
 
 def stepping(envs: Any, actions: list, n: int) -> Runner:
-    """Step n environments at once, through the actions in turn."""
+    """Runner that steps n environments at once and cycles through the actions."""
     rounds = max(2, 20000 // n)
 
     def run() -> int:
@@ -71,13 +72,13 @@ def stepping(envs: Any, actions: list, n: int) -> Runner:
 
 
 def near_hover(action):
-    """Scale actions of a helicopter so that it stays in the air for a while; leave others as they are."""
+    """Scale actions (N, 2) of helicopters so that flights last longer; return other actions unchanged."""
     is_heli = isinstance(action, np.ndarray) and action.dtype == np.float32 and action.shape[-1] == 2
     return (0.02 * action).astype(np.float32) if is_heli else action
 
 
 def envpool_runner(name: str, n: int) -> Runner:
-    """Runner of EnvPool with one thread. Raises ImportError where it is not installed."""
+    """Runner of EnvPool with one thread. Raises ImportError if it is not installed."""
     import envpool
 
     envs = envpool.make(name, env_type="gymnasium", num_envs=n, batch_size=n, num_threads=1, seed=0)
@@ -93,7 +94,7 @@ def envpool_runner(name: str, n: int) -> Runner:
 
 
 def gymnax_runner(name: str, n: int) -> Runner:
-    """Runner of gymnax, compiled for the CPU. Raises ImportError where it is not installed."""
+    """Runner of gymnax, compiled for the CPU. Raises ImportError if it is not installed."""
     import gymnax
     import jax
 
@@ -116,7 +117,7 @@ def gymnax_runner(name: str, n: int) -> Runner:
 
 
 def rates(runners: dict[str, Runner], seconds: float, turns: int = 7) -> dict[str, float]:
-    """Steps per second of each runner: the median over turns, which they take one after the other."""
+    """Steps per second of each runner: medians over interleaved turns."""
     measured: dict[str, list[float]] = {name: [] for name in runners}
     for run in runners.values():
         run()  # compiles
@@ -130,7 +131,7 @@ def rates(runners: dict[str, Runner], seconds: float, turns: int = 7) -> dict[st
 
 
 def peers_of_many(n: int) -> dict[str, Runner]:
-    """Runners of EnvPool and gymnax, as far as they are installed."""
+    """Runners of EnvPool and gymnax, if installed."""
     found = {}
     for name, make in (("EnvPool, 1 thread", envpool_runner), ("gymnax", gymnax_runner)):
         for task in ("Pendulum-v1", "Acrobot-v1"):
@@ -151,7 +152,7 @@ def table_of_one(seconds: float) -> list[str]:
 
 
 def table_of_many(n: int, seconds: float, threads: int) -> list[str]:
-    """Table of steps of n environments at once, ours with a number of threads."""
+    """Table of steps of n environments at once, Heli3DOF-v0 with the given number of threads."""
     cartpole = "CartPole-v1, Gymnasium's own"
     runners = {cartpole: many(gym.make_vec("CartPole-v1", n, "vector_entry_point"), n)}
     if n <= 64:
@@ -180,7 +181,7 @@ def table_of_many(n: int, seconds: float, threads: int) -> list[str]:
 
 
 def floor_of_many(n: int) -> str:
-    """Time in which a core writes as much as the observations, into memory that its cache does not hold."""
+    """Line with the time in which a core writes as many bytes as the observations to memory outside its cache."""
     buffers, row = [np.empty((n, OBSERVED), np.float32) for _ in range(4)], np.ones(OBSERVED, np.float32)
     begin, rounds = time.perf_counter(), max(4, 400_000 // n)
     for k in range(rounds):
@@ -191,7 +192,7 @@ def floor_of_many(n: int) -> str:
 
 
 def share_of_ppo(n: int = 256, rollout: int = 32) -> str:
-    """Share of the environment in the time of Stable-Baselines3's PPO."""
+    """Line with the environment's share of the run time of Stable-Baselines3's PPO."""
     import torch
     from stable_baselines3 import PPO
 
@@ -220,7 +221,7 @@ def share_of_ppo(n: int = 256, rollout: int = 32) -> str:
 
 
 def main() -> None:
-    """Measure, print, and write the table."""
+    """Measure, print and write the tables."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="a tenth of the time")
     parser.add_argument("--sizes", type=int, nargs="*", default=SIZES, help="how many environments")

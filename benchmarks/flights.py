@@ -1,9 +1,9 @@
-"""Seeded flights of this commit, to compare with those of another one.
+"""Seeded flights of this commit, for comparison with another commit.
 
     python benchmarks/flights.py --out before.npz        # on one commit
     python benchmarks/flights.py --against before.npz    # on the other: the largest difference of each flight
 
-Every plant, one helicopter and many, random voltages and policies; states, observations and rewards are compared.
+Covers every plant, one and many helicopters, random voltages and policies; compares states, observations and rewards.
 """
 
 import argparse
@@ -22,17 +22,17 @@ except ModuleNotFoundError:  # commits from before the packages were renamed
 PLANTS = ("nominal", "lab", "rigid")
 POLICIES = ("open-loop", "feedforward+tvlqr", "lqi", "lag-lqr", "kalman-lqr@lab")
 SEEDS = (0, 1)
-SAME = 1e-12  # relative, where the compiler rounds otherwise
+SAME = 1e-12  # relative tolerance, since compilers round differently
 
 
 def action_of(env, u):
-    """The action of voltages in V, whose scale differs between commits."""
+    """Action of voltages in V; its scale differs between commits."""
     core = env.unwrapped
     return core.to_action(u) if hasattr(core, "to_action") else u / 6.0 - 1.0
 
 
 def random_flight(plant: str, seed: int) -> dict[str, np.ndarray]:
-    """One helicopter under random voltages about hover."""
+    """Fly one helicopter under random voltages about hover; return its arrays by name."""
     env = gym.make("Heli3DOF-v0", plant=plant, start_spread_deg=3.0)
     _, info = env.reset(seed=seed)
     voltages = np.random.default_rng(seed).normal(7.8, 0.3, (200, 2))
@@ -47,7 +47,7 @@ def random_flight(plant: str, seed: int) -> dict[str, np.ndarray]:
 
 
 def many_flights(plant: str, count: int = 130, steps: int = 120) -> dict[str, np.ndarray]:
-    """Many helicopters under random voltages, next ones included."""
+    """Fly many helicopters under random voltages, with automatic resets; return their arrays by name."""
     envs = gym.make_vec("Heli3DOF-v0", num_envs=count, plant=plant, start_spread_deg=3.0)
     envs.reset(seed=5)
     rng = np.random.default_rng(1)
@@ -60,14 +60,14 @@ def many_flights(plant: str, count: int = 130, steps: int = 120) -> dict[str, np
 
 
 def policy_flight(plant: str, name: str, seed: int) -> dict[str, np.ndarray]:
-    """The default maneuver, flown by a policy."""
+    """Fly the default maneuver by a policy; return its arrays by name."""
     env = gym.make("Heli3DOF-v0", plant=plant, start_spread_deg=3.0)
     flight = fly(env, make_policy(name, env.unwrapped.source), seed=seed)
     return {"states": flight.x, "voltages": flight.u}
 
 
 def all_flights() -> dict[str, np.ndarray]:
-    """Every array of every flight, by name."""
+    """Arrays of all flights, by name."""
     arrays = {}
     for plant in PLANTS:
         flights = {f"random {seed}": random_flight(plant, seed) for seed in SEEDS}

@@ -1,11 +1,11 @@
-"""Planning and gains beside what others would use, in one run: `python benchmarks/planning.py`; needs the extra `dev`.
+"""Speed of planning and gains compared to common alternatives: `python benchmarks/planning.py`, with the extra `dev`.
 
-All on the paper's maneuver, medians after a warm-up; machines differ and are busy, so compare within one table only.
+All rows are for the paper's maneuver, medians after a warm-up. Compare only rows of one run.
 """
 
 import os
 
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads only slow 6x6 matrices down
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy; threads slow down 6x6 matrices
 
 import time
 from collections.abc import Callable
@@ -37,12 +37,12 @@ from heli_gym.model import hover_input, virtual_input
 class Args:
     """Time the planners and the Riccati equation."""
 
-    repetitions: int = 30  # at most, within the seconds below
+    repetitions: int = 30  # largest number, within the seconds below
     seconds: float = 2.0  # per row
 
 
 def median(function: Callable[[], Any], args: Args) -> float:
-    """Seconds that a call takes."""
+    """Median duration of a call in s."""
     function()
     times: list[float] = []
     while len(times) < 3 or (len(times) < args.repetitions and sum(times) < args.seconds):
@@ -53,7 +53,7 @@ def median(function: Callable[[], Any], args: Args) -> float:
 
 
 def collocated(problem: ConstrainedProblem, guess: Solution, analytic: bool) -> Any:
-    """Equation (38) by scipy's relative of the paper's bvp4c."""
+    """Solve (38) by scipy's `solve_bvp`, related to the paper's bvp4c."""
     start, goal = problem.ends()
     jacobians: dict[str, Any] = {}
     if analytic:
@@ -67,7 +67,7 @@ def collocated(problem: ConstrainedProblem, guess: Solution, analytic: bool) -> 
 
 
 def multiple_shooting(maneuver: Maneuver, solver: str, intervals: int = 100) -> Callable[[], Any]:
-    """Least effort by CasADi's multiple shooting, one Runge-Kutta step an interval; solves what was built before."""
+    """Build and return a least-effort solver by CasADi's multiple shooting, one Runge-Kutta step per interval."""
     p, limits, h = maneuver.parameters, maneuver.limits, maneuver.duration / intervals
     x, f = ca.SX.sym("x", 6), ca.SX.sym("f", 2)
     rate = dynamics(ca.vertsplit(x), (f[0] + f[1], f[0] - f[1]), p, ca.sin, ca.cos)
@@ -105,7 +105,7 @@ def multiple_shooting(maneuver: Maneuver, solver: str, intervals: int = 100) -> 
 
 
 def planning(args: Args) -> dict[str, float]:
-    """Rows of seconds."""
+    """Durations in s of planners, by row name."""
     maneuver = Maneuver()
     problem, thrusts = ConstrainedProblem(maneuver), thrust_bounds(maneuver.limits, maneuver.parameters)
     start = spline.guess(maneuver, maneuver.duration, spline.SEGMENTS[0])
@@ -155,7 +155,7 @@ def planning(args: Args) -> dict[str, float]:
 
 @njit
 def riccati_rhs(p, tau, t, J, Q, R):
-    """Equation (50), backwards in time, the linearisation being linear between samples; P (6, 6) as a vector."""
+    """Equation (50), backwards in time, with the linearisation linear between samples; P (6, 6) as a vector."""
     s = min(max((t[-1] - tau) / t[1], 0.0), len(t) - 1.0)
     k = min(int(s), len(t) - 2)
     now = (k + 1 - s) * J[k] + (s - k) * J[k + 1]
@@ -165,7 +165,7 @@ def riccati_rhs(p, tau, t, J, Q, R):
 
 
 def gains(args: Args) -> dict[str, float]:
-    """Rows of seconds."""
+    """Durations in s of gain computations, by row name."""
     maneuver = Maneuver()
     reference, parameters = plan(maneuver), maneuver.parameters
     M, R_inverse = stationary_cost(0.0, parameters, Q, R), np.linalg.inv(R)
@@ -201,13 +201,13 @@ def gains(args: Args) -> dict[str, float]:
 
 
 def sampling(args: Args) -> dict[str, float]:
-    """Rows of seconds."""
+    """Durations in s of random plans, by row name."""
     sampler, rng = ManeuverSampler(), np.random.default_rng(0)
     return {"100 plans of random maneuvers in 12 s": median(lambda: [sampler(rng) for _ in range(100)], args)}
 
 
 def main(args: Args) -> None:
-    """Print a table for each of these."""
+    """Print a table for each of `planning`, `gains` and `sampling`."""
     console = Console()
     for title, group in (("planning", planning), ("gains along 10 s", gains), ("random maneuvers", sampling)):
         rows = group(args)

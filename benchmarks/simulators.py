@@ -1,8 +1,8 @@
-"""Speed of other simulators of flying machines relative to Gymnasium's Pendulum-v1, in an interpreter of their own.
+"""Speed of other flight simulators relative to Gymnasium's Pendulum-v1, in their own interpreter.
 
     /path/to/their/venv/bin/python benchmarks/simulators.py PyFlyt.gym_envs:PyFlyt/QuadX-Hover-v4 [module:id ...]
 
-They need other versions of numpy than this package, so that the ratio to Pendulum-v1 is what can be compared.
+They depend on other versions of numpy than this package; compare the ratios to Pendulum-v1.
 """
 
 import statistics
@@ -13,7 +13,7 @@ import gymnasium as gym
 
 
 def rate(env: gym.Env, seconds: float = 1.0) -> float:
-    """Steps per second under one action, episode after episode."""
+    """Steps per second under one constant action, over several episodes."""
     env.action_space.seed(0)
     action = env.action_space.sample()
     env.reset(seed=0)
@@ -27,7 +27,7 @@ def rate(env: gym.Env, seconds: float = 1.0) -> float:
 
 
 def main() -> None:
-    """Measure in turns, and print medians."""
+    """Measure in turns and print medians."""
     envs = {name: gym.make(name) for name in ("Pendulum-v1", *sys.argv[1:])}
     turns = [{name: rate(env) for name, env in envs.items()} for _ in range(5)]
     print("| one environment | steps/s | of Pendulum-v1 |", "|---|---|---|", sep="\n")

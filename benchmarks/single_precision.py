@@ -1,8 +1,8 @@
-"""Error of single precision, in open loop and with feedback: the same flights in float32 and in float64.
+"""Error of single precision in open loop and with feedback: the same flights in float32 and float64.
 
     python benchmarks/single_precision.py [--episodes 100]
 
-Each flight has its own measurements. Encoders count differently where rounding differs, and feedback answers that.
+Each flight has its own measurements: rounding changes encoder counts, and the feedback reacts to that.
 """
 
 import argparse
@@ -18,7 +18,7 @@ POLICIES = ("open-loop", "feedforward+tvlqr", "kalman-lqr")
 
 
 def flights(plant: str, name: str, episodes: int, dtype: str) -> tuple[np.ndarray, np.ndarray]:
-    """Angles (K, 3, N) in rad of flights until the first of them ends, and their errors from the reference."""
+    """Angles (K, 3, N) in rad of flights until the first one ends, and their errors from the reference."""
     envs = Heli3DOFVectorEnv(episodes, plant=plant, dtype=dtype, autoreset_mode="Disabled")
     _, info = envs.reset(seed=0)
     reference = envs.reference_of(0)
@@ -35,7 +35,7 @@ def flights(plant: str, name: str, episodes: int, dtype: str) -> tuple[np.ndarra
 
 
 def main() -> None:
-    """Fly, and print a table."""
+    """Fly and print a table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--episodes", type=int, default=100)
     episodes = parser.parse_args().episodes

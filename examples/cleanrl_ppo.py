@@ -2,8 +2,8 @@
 
     python examples/cleanrl_ppo.py --steps 1000000 --residual
 
-With `--residual`, the agent corrects the paper's controller, whose voltages it sees: it starts from a controller that
-works, and its actions, at most 3 V, cannot do much harm.
+With `--residual`, the agent adds at most 3 V to the paper's controller and observes the controller's voltages. It
+starts from a working controller, and its small actions limit the risk of exploration.
 """
 
 import argparse
@@ -20,7 +20,7 @@ from heli_gym.baselines import VectorResidualAction
 
 
 class Agent(nn.Module):
-    """Actor and critic, with a standard deviation of the actions that does not depend on the observation."""
+    """Actor and critic; the standard deviation of the actions is independent of the observation."""
 
     def __init__(self, n_observations: int, n_actions: int) -> None:
         super().__init__()
@@ -30,7 +30,7 @@ class Agent(nn.Module):
 
     @staticmethod
     def network(n_in: int, n_out: int, last: float) -> nn.Sequential:
-        """Two hidden layers; the last layer's weights are of the size `last`."""
+        """Network with two hidden layers; `last` is the gain of the output layer's initial weights."""
         layers = nn.Linear(n_in, 64), nn.Linear(64, 64), nn.Linear(64, n_out)
         for layer, gain in zip(layers, (2.0**0.5, 2.0**0.5, last)):
             nn.init.orthogonal_(layer.weight, gain)
@@ -38,7 +38,7 @@ class Agent(nn.Module):
         return nn.Sequential(layers[0], nn.Tanh(), layers[1], nn.Tanh(), layers[2])
 
     def distribution(self, observation: torch.Tensor) -> Normal:
-        """Of the actions (N, 2)."""
+        """Distribution of the actions (N, 2)."""
         return Normal(self.actor(observation), self.log_std.exp())
 
 
@@ -67,7 +67,7 @@ def main() -> None:
     observations = torch.zeros(T, N, envs.single_observation_space.shape[0])
     actions, log_probabilities = torch.zeros(T, N, 2), torch.zeros(T, N)
     rewards, values, terminated, truncated, valid = (torch.zeros(T, N) for _ in range(5))
-    # Spread over the maneuver, so that an update sees all of it.
+    # Starts are spread over the maneuver, so that every update includes all of it.
     options = {"time": np.linspace(0.0, envs.unwrapped.references[0].duration, N, endpoint=False)}
     observation = torch.as_tensor(envs.reset(seed=args.seed, options=options)[0])
     over, returns, finished, begin = torch.zeros(N), np.zeros(N), [], time.time()
@@ -89,7 +89,7 @@ def main() -> None:
             finished += returns[over.bool().numpy()].tolist()
             returns[over.bool().numpy()] = 0.0
 
-        # Generalised advantage estimation; a flight that was cut off goes on in the critic's estimate.
+        # Generalised advantage estimation; a truncated flight is bootstrapped by the critic.
         with torch.no_grad():
             following = torch.cat((values[1:], agent.critic(observation).squeeze(1)[None]))
         advantages, last = torch.zeros(T, N), torch.zeros(N)

@@ -1,10 +1,10 @@
-"""The tasks of the course on one rig, and the same maneuvers by this package's planner and controller.
+"""Tasks of the course on one rig, and the same maneuvers with this package's planner and controller.
 
     python examples/course_tasks.py --rig ntnu        # needs heli-gym[eval,ocp]
 
-Travel by 180 degrees with the pitch within 30 degrees: a quadratic program with the inner loop alone, the same with
-an LQR, and an elevation bump on the way as a nonlinear program; the other rows are the package's own plans. All are
-flown on the exact rig and on draws of the plant `lab`, whose angles, in the last column, are as noisy as an IMU's.
+Travel by 180 degrees with the pitch within 30 degrees: a quadratic program with the inner loop alone, the same program
+with an LQR, and a nonlinear program with an elevation bump on the path; the other rows are the package's own plans. All
+are flown on the exact rig and on draws of the plant `lab`; in the last column, angles have the noise of an IMU.
 """
 
 import argparse
@@ -36,7 +36,7 @@ COLUMNS = ("travel at end", "peak pitch", "elevation off", "bump missed")
 
 
 def reference_of(rig: Rig) -> Trajectory:
-    """The package's plan of the move, within 30 degrees of pitch."""
+    """Plan the transition with this package, within 30 degrees of pitch."""
     limits = Limits(*rig.limits.u, -PITCH_COMMAND, PITCH_COMMAND)
     return plan(Maneuver(goal=(TRAVEL, 0.0), duration=DURATION, limits=limits, rig=rig))
 
@@ -56,7 +56,7 @@ def main() -> None:
     args = parser.parse_args()
     rig = find_rig(args.rig)
     reference = reference_of(rig)
-    # the filter takes the noise of the angles from the encoders: as coarse as to err as much
+    # the filter derives the noise of the angles from the encoder counts: counts with the same error as the IMU
     counts = round(ENCODER_COUNTS * ENCODER_NOISE / IMU_NOISE)
     noisy = replace(rig, encoder_counts=(counts, counts, counts))
     lab = find_plant("lab")

@@ -1,4 +1,4 @@
-"""A Minari dataset of flights of a controller, for offline learning and imitation.
+"""Record flights of a controller as a Minari dataset, for offline learning and imitation.
 
 python examples/minari_dataset.py --policy kalman-lqr --plant lab --episodes 100
 """

@@ -11,7 +11,7 @@ from ray.tune.registry import register_env
 
 
 def make(arguments: dict) -> gym.Env:
-    """One environment, in whatever process RLlib runs it."""
+    """Make one environment, in any process of RLlib."""
     import heli_gym  # noqa: F401  registers Heli3DOF-v0
 
     env = gym.make("Heli3DOF-v0", **arguments)

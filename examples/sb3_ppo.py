@@ -2,10 +2,10 @@
 
     python examples/sb3_ppo.py --form native --steps 1000000
 
-Observations need no normalisation: they are of order one for every plant and reference. Rewards are the control period
-at most, 0.02 a step, so that a return counts seconds; a value function learns faster from numbers of order one, hence
-`reward_unit` in the native form and VecNormalize, of the rewards alone, in the others. The first actions should stay
-about zero, which is hover: with a standard deviation of one (`log_std_init=0`), the pitch wanders by 20 degrees.
+Observations are of order one for every plant and reference, without normalisation. Rewards are at most the control
+period, 0.02 per step, so that a return counts seconds. A value function learns faster from numbers of order one, hence
+`reward_unit` in the native form and VecNormalize of rewards only in the others. The first actions should stay near
+zero, which is hover: with a standard deviation of one (`log_std_init=0`), the pitch deviates by 20 degrees.
 """
 
 import argparse
@@ -24,7 +24,7 @@ FORMS = ("make", "make_vec_env", "native")
 
 
 def helicopters(form: str, n: int, **arguments) -> VecEnv:
-    """The environment to learn in, with rewards of order one."""
+    """Make the training environment, with rewards of order one."""
     if form == "native":
         envs = gym.make_vec("Heli3DOF-v0", n, autoreset_mode="SameStep", **arguments)
         return HeliVecEnv(envs, spread=True, reward_unit=envs.unwrapped.control_period, sparse_infos=True)

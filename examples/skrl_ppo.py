@@ -44,7 +44,7 @@ class Value(DeterministicMixin, Model):
 
 
 def network(n_in: int, n_out: int) -> nn.Sequential:
-    """Two hidden layers."""
+    """Network with two hidden layers."""
     return nn.Sequential(nn.Linear(n_in, 64), nn.Tanh(), nn.Linear(64, 64), nn.Tanh(), nn.Linear(64, n_out))
 
 

@@ -29,7 +29,7 @@ def main() -> None:
     env.append_transform(StepCounter())
     n = env.observation_spec["observation"].shape[-1]
 
-    # A small scale: the first flights stay about the action zero, which is hover.
+    # A small scale, so that the first flights stay near the action zero, which is hover.
     parameters = NormalParamExtractor(scale_mapping="biased_softplus_0.1", scale_lb=1e-3)
     actor = nn.Sequential(nn.Linear(n, 64), nn.Tanh(), nn.Linear(64, 64), nn.Tanh(), nn.Linear(64, 4), parameters)
     policy = ProbabilisticActor(
