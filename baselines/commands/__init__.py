@@ -1,1 +1,1 @@
-"""Console commands, one module each; imports everything in `heli_gym` and `baselines`, and is imported by nothing."""
+"""Console commands, one module each; may import all of `heli_gym` and `baselines`; no module imports a command."""

@@ -1,7 +1,7 @@
-"""How good the planners are: `heli-compare-planners`; needs the extras `eval` and `ocp`.
+"""`heli-compare-planners`: success, speed and optimality of the planners; requires the extras `eval` and `ocp`.
 
-Direct collocation, which assumes next to nothing and starts from a straight line, says what is possible. Its optimum
-is local: what is called a bound here is the best that is known. Every plan is flown once more through (3) by scipy.
+Direct collocation from a straight line is the benchmark: it makes few assumptions, but its optimum is local, so that
+its duration is only the best known bound. Scipy integrates (3) along every plan to check it.
 """
 
 import csv
@@ -40,34 +40,34 @@ from heli_gym.trajectory import Maneuver, Trajectory
 
 Part = Literal["robustness", "shortest", "trade-off", "methods", "reserve"]
 
-TO_SPARE = 1.1  # times the shortest duration that collocation finds
-DURATIONS = 0.8, 2.0  # times the same, between which maneuvers are drawn
-HOVER_MARGIN = 0.05  # share of the thrust window that hover leaves at each end
+TO_SPARE = 1.1  # times collocation's shortest duration
+DURATIONS = 0.8, 2.0  # range of random durations, times collocation's shortest
+HOVER_MARGIN = 0.05  # least distance of hover from both ends of the thrust window, as a share of it
 WINDOWS = ((0.0, 12.0), (1.0, 11.0), (2.0, 10.5), (3.0, 10.0))  # V
 PITCH_LIMITS_DEG = range(10, 81, 5)
 RESERVES = 0.0, 0.1, 0.2, 0.3, 0.4, 0.45
 MORE_TIME = 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35
-LEISURE = 12.0  # s, in which every method can plan the paper's maneuver
+LEISURE = 12.0  # s; every method can plan the paper's maneuver in this time
 START_SPREAD_DEG = 5.0
 
 
 @dataclass
 class Args:
-    """Compare the planners with direct collocation and with each other."""
+    """Compare the planners with each other and with direct collocation."""
 
     parts: tuple[Part, ...] = ("robustness", "shortest", "trade-off", "methods", "reserve")
-    maneuvers: int = 300  # that collocation can fly with 10 % of the time to spare
-    fastest: int = 20  # maneuvers whose shortest durations are compared
-    draws: int = 100  # helicopters of each plant
-    rig: str = "paper"  # a name, or a .toml file
+    maneuvers: int = 300  # number of random maneuvers with 10 % more time than collocation requires
+    fastest: int = 20  # number of maneuvers for the comparison of shortest durations
+    draws: int = 100  # number of helicopters of each plant
+    rig: str = "paper"  # rig: a name, or a .toml file
     seed: int = 0
     out: Path = Path("out/planners")
 
 
 def random_maneuver(rng: np.random.Generator, rig: Rig = PAPER) -> Maneuver:
-    """Travel up to 720°, pitch limits of 10° to 80°, voltages within the amplifier's, elevations that these can hold.
+    """Draw a maneuver: travel up to 720°, pitch limits of 10° to 80°, voltage windows and feasible elevations.
 
-    The windows of voltages lie about hover; those of the paper's rig are 0 to 4 V and 9 to 12 V.
+    The voltage windows include hover; for the paper's rig they begin at 0 to 4 V and end at 9 to 12 V.
     """
     parameters = rig.parameters
     pitch = min(math.radians(rng.uniform(10.0, 80.0)), rig.pitch_limit)
@@ -87,13 +87,13 @@ def random_maneuver(rng: np.random.Generator, rig: Rig = PAPER) -> Maneuver:
 
 
 def shortest_known(maneuver: Maneuver) -> float:
-    """The shortest duration in s that collocation finds; infinite if it finds none."""
+    """Shortest duration in s by collocation; infinite without a solution."""
     found = collocate(maneuver, "time")
     return math.inf if found is None else float(found.t[-1])
 
 
 def meets_its_limits(maneuver: Maneuver, trajectory: Trajectory) -> bool:
-    """Whether a plan keeps what `plan` promises, by scipy's integrator of order eight."""
+    """Whether a plan meets its limits and its goal in scipy's integration of order eight."""
     times, voltages = trajectory.t.copy(), trajectory.u.copy()
 
     def rhs(t, x):
@@ -111,8 +111,10 @@ def meets_its_limits(maneuver: Maneuver, trajectory: Trajectory) -> bool:
     )
 
 
-def timed(planner: Callable[..., Trajectory], *arguments: Any, **options: Any) -> tuple[Trajectory | None, float]:
-    """A plan, or None if it is refused, and the seconds that took."""
+def time_planner(
+    planner: Callable[..., Trajectory], *arguments: Any, **options: Any
+) -> tuple[Trajectory | None, float]:
+    """Plan of a planner, or None if it refuses, and its computing time in s."""
     began = time.perf_counter()
     try:
         trajectory = planner(*arguments, **options)
@@ -122,11 +124,11 @@ def timed(planner: Callable[..., Trajectory], *arguments: Any, **options: Any) -
 
 
 def robustness(args: Args, console: Console) -> None:
-    """Random maneuvers: how many of those that can be flown with time to spare are planned, and how fast."""
+    """Success rate and computing time of the planners on random maneuvers with time to spare."""
     rng, spare = np.random.default_rng(args.seed), 0
     rows: list[dict[str, Any]] = []
     rig = find_rig(args.rig)
-    plan(Maneuver(duration=9.0))  # compiles what is compiled
+    plan(Maneuver(duration=9.0))  # compiles the kernels before the timing
     with console.status("robustness"):
         while spare < args.maneuvers:
             maneuver = random_maneuver(rng, rig)
@@ -134,7 +136,7 @@ def robustness(args: Args, console: Console) -> None:
             if not math.isfinite(shortest):
                 continue
             requested = replace(maneuver, duration=ratio * shortest)
-            trajectory, seconds = timed(plan, requested)
+            trajectory, seconds = time_planner(plan, requested)
             kept = trajectory is not None and meets_its_limits(requested, trajectory)
             spare += ratio >= TO_SPARE
             rows.append(
@@ -171,13 +173,13 @@ def robustness(args: Args, console: Console) -> None:
 
 
 def shortest(args: Args, console: Console) -> None:
-    """The shortest durations of random maneuvers, and of the paper's."""
+    """Shortest durations of random maneuvers and of the paper's."""
     rng, rig = np.random.default_rng(args.seed + 1), find_rig(args.rig)
     rows: list[dict[str, Any]] = []
     drawn = [Maneuver(duration=20.0, rig=rig), *(random_maneuver(rng, rig) for _ in range(args.fastest))]
     for maneuver in track(drawn, "shortest", console=console):
         known = shortest_known(maneuver)
-        trajectory, seconds = timed(plan_fastest, maneuver)
+        trajectory, seconds = time_planner(plan_fastest, maneuver)
         found = math.inf if trajectory is None else trajectory.duration
         kept = trajectory is not None and meets_its_limits(replace(maneuver, duration=found), trajectory)
         rows.append(
@@ -201,22 +203,22 @@ def shortest(args: Args, console: Console) -> None:
     )
 
 
-def scaled_to(rig: Rig, window: tuple[float, float]) -> tuple[float, float]:
-    """The same part of a rig's amplifier as a window of voltages is of 0 to 12 V."""
+def scale_window(rig: Rig, window: tuple[float, float]) -> tuple[float, float]:
+    """Scale a voltage window on 0 to 12 V to the range of a rig's amplifier."""
     low, high = rig.voltage_limits
     u_min, u_max = (low + (high - low) / PAPER.voltage_limits[1] * u for u in window)
     return u_min, u_max
 
 
 def trade_off(args: Args, console: Console) -> None:
-    """The shortest duration of the paper's rotation against the pitch limit and the voltage window."""
+    """Shortest duration of the paper's rotation for each pitch limit and voltage window."""
     rows, rig = [], find_rig(args.rig)
     for u_min, u_max in track(WINDOWS, "trade-off", console=console):
         for degrees in PITCH_LIMITS_DEG:
             pitch = math.radians(degrees)
-            u = scaled_to(rig, (u_min, u_max))
+            u = scale_window(rig, (u_min, u_max))
             maneuver = Maneuver(duration=60.0, limits=Limits(*u, -pitch, pitch), rig=rig)
-            trajectory, _ = timed(plan_fastest, maneuver)
+            trajectory, _ = time_planner(plan_fastest, maneuver)
             rows.append(
                 {
                     "u_min": u_min,
@@ -235,7 +237,7 @@ def trade_off(args: Args, console: Console) -> None:
 
 @figures.styled
 def draw_trade_off(rows: list[dict[str, Any]]) -> Any:
-    """The figure of `trade_off`."""
+    """Figure of `trade_off`."""
     figure, axes = figures.single_panel("pitch limit (deg)", "shortest duration (s)")
     for (u_min, u_max), color in zip(WINDOWS, figures.FLOWN):
         window = [row for row in rows if (row["u_min"], row["u_max"]) == (u_min, u_max)]
@@ -250,14 +252,14 @@ def draw_trade_off(rows: list[dict[str, Any]]) -> Any:
 
 
 def methods(args: Args, console: Console) -> None:
-    """Every method on the paper's maneuver: with time, and as fast as it can."""
+    """Every method on the paper's maneuver: with ample time, and as fast as possible."""
     rows = []
     names = [name for name in FASTEST if name != "auto"]
     for name in track(names, "methods", console=console):
         for kind, planner, duration in (("in", plan, LEISURE), ("fastest", plan_fastest, 2.0 * LEISURE)):
             maneuver = Maneuver(duration=duration, rig=find_rig(args.rig))
-            planner(maneuver, name)  # compiles what is compiled
-            trajectory, seconds = timed(planner, maneuver, name)
+            planner(maneuver, name)  # compiles the kernels before the timing
+            trajectory, seconds = time_planner(planner, maneuver, name)
             assert trajectory is not None
             f = maneuver.rig.thrust(trajectory.u)
             hover = 0.5 * hover_input(maneuver.goal[1], maneuver.parameters)[0]
@@ -280,7 +282,7 @@ def methods(args: Args, console: Console) -> None:
 
 
 def reserve(args: Args, console: Console) -> None:
-    """What the fastest plan must leave to the paper's controller on `lab` and `rigid`: wider limits, or more time."""
+    """Flights of the paper's controller on `lab` and `rigid`, along fast plans with reserves of limits or of time."""
     rows, requested = [], Maneuver(duration=2.0 * LEISURE, rig=find_rig(args.rig))
     shortest = plan_fastest(requested).duration
     plans = [(f"{share:.0%} of the windows", plan_fastest(requested, reserve=share)) for share in RESERVES]
@@ -297,7 +299,7 @@ def reserve(args: Args, console: Console) -> None:
 
 
 def flights(trajectory: Trajectory, plant: str, draws: int) -> dict[str, Any]:
-    """What 100 or so held-out helicopters make of a plan under the paper's controller, from starts up to 5° off."""
+    """Errors and success of held-out helicopters with the paper's controller along a plan, from starts up to 5° off."""
     env = gym.make(
         "Heli3DOF-v0", plant=plant, reference=trajectory, start_spread_deg=START_SPREAD_DEG, rig=trajectory.rig
     )
@@ -318,7 +320,7 @@ def flights(trajectory: Trajectory, plant: str, draws: int) -> dict[str, Any]:
 
 
 def as_table(rows: list[dict[str, Any]]) -> Table:
-    """The rows as a table."""
+    """Table with the rows."""
     table = Table(*rows[0])
     for row in rows:
         table.add_row(*(f"{value:.3g}" if isinstance(value, float) else str(value) for value in row.values()))
@@ -326,7 +328,7 @@ def as_table(rows: list[dict[str, Any]]) -> Table:
 
 
 def write_csv(path: Path, rows: Iterable[dict[str, Any]]) -> None:
-    """The rows, under their names."""
+    """Write rows as CSV under the names of their columns."""
     rows, text = list(rows), io.StringIO()
     writer = csv.DictWriter(text, list(rows[0]))
     writer.writeheader()
@@ -345,13 +347,13 @@ PARTS: dict[str, Callable[[Args, Console], None]] = {
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-compare-planners`."""
+    """Run the command `heli-compare-planners`."""
     with command("heli-compare-planners"):
         run(args or parse(Args, "heli-compare-planners", __doc__))
 
 
 def run(args: Args) -> None:
-    """Run the parts asked for, each leaving its table before the next begins."""
+    """Run the parts of the comparison; each writes its table before the next one starts."""
     if not args.parts:
         raise ValueError("parts = (): must name at least one")
     for name in ("maneuvers", "fastest", "draws"):
@@ -361,7 +363,7 @@ def run(args: Args) -> None:
         raise ValueError(f"seed = {args.seed}: must be at least 0")
     find_rig(args.rig)
     check_folder("out", args.out)
-    importlib.import_module("casadi")  # which all parts need, some after minutes
+    importlib.import_module("casadi")  # all parts require it, some only after minutes
     announce_replaced("heli-compare-planners", *(args.out / f"{part}.csv" for part in args.parts))
     console = Console()
     for part in args.parts:

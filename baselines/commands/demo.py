@@ -1,4 +1,4 @@
-"""`heli-demo`: one page on which the helicopter is simulated in the browser; it opens from a file, without network."""
+"""`heli-demo`: web page that simulates the helicopter in the browser and opens from a file, without network."""
 
 import base64
 import json
@@ -49,15 +49,15 @@ from heli_gym.task import TOLERANCE
 from heli_gym.trajectory import Maneuver
 
 PLANS = WEB / "plans.json"
-CONTROL_PERIOD = 0.02  # s, that of the environment
+CONTROL_PERIOD = 0.02  # s, the environment's default
 DURATIONS = tuple(np.arange(8.5, 16.1, 0.5).tolist())  # s
 PITCH_LIMITS_DEG = (30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0)
-STEPS = 5  # from one duration to the next
+STEPS = 5  # continuation steps between two durations
 VOLTAGE_WINDOWS = ((0.0, 12.0), (1.0, 11.0), (2.0, 10.5), (3.0, 10.0))  # V
 ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s
 LIMIT_TOLERANCE = 1e-6  # V
 
-# What can be flown in the browser, by web/src/controllers.ts, and whether it is shown at first.
+# Controllers of the page (web/src/controllers.ts), and whether they are shown initially.
 SHOWN = ("feedforward+tvlqr", "open-loop", "residual")
 POLICIES = tuple(
     {"name": name, "label": label_of(name).text, "colour": label_of(name).colour, "shown": name in SHOWN}
@@ -67,28 +67,30 @@ NETWORK_FOR = {
     "nominal": "lab",
     "lab": "lab",
     "rigid": "rigid",
-}  # of `heli_gym.baselines.control.residual.LEARNED`, by plant
+}  # name in `heli_gym.baselines.control.residual.LEARNED`, by plant
 
 
 @dataclass
 class Args:
-    """Write a page on which the helicopter flies in the browser, and open it."""
+    """Write a web page that simulates the helicopter in the browser, and open it."""
 
-    out: Path = Path("out/live.html")  # the page: one file that needs nothing else
-    open: bool = True  # whether to open it
-    rig: str = "paper"  # a name, or a .toml file; one with the paper's coefficients and thrust map, as the plans are
-    solve_plans: bool = False  # plan the grid of maneuvers anew that the package brings (minutes), instead
+    out: Path = Path("out/live.html")  # the page, one self-contained file
+    open: bool = True  # open the page
+    rig: str = "paper"  # rig: a name, or a .toml file; coefficients and thrust map must be the paper's
+    solve_plans: bool = False  # instead, solve the package's grid of plans anew (minutes)
 
 
 def maneuver(duration: float, pitch_limit_deg: float, window: tuple[float, float]) -> Maneuver:
-    """The paper's rotation in another time (s), within another pitch limit (deg) and voltage window (V)."""
+    """Paper's rotation with another duration in s, pitch limit in deg and voltage window in V."""
     pitch_limit = math.radians(pitch_limit_deg)
     return Maneuver(duration=duration, limits=Limits(*window, -pitch_limit, pitch_limit))
 
 
 def solve_plans(console: Console) -> dict[str, Any]:
-    """The parameters p (6,) of (39) of every plan of the grid, all that the page needs of it, and None where none was
-    found: plans[pitch limit][window][duration]."""
+    """Solve the grid of plans: parameters p (6,) of (39), or None without a solution.
+
+    The parameters are in plans[pitch limit][window][duration]; the page computes the rest.
+    """
     jobs = list(product(PITCH_LIMITS_DEG, VOLTAGE_WINDOWS))
     chains = [solve_chain(*job) for job in track(jobs, "planning", console=console)]
     n = len(VOLTAGE_WINDOWS)
@@ -101,27 +103,27 @@ def solve_plans(console: Console) -> dict[str, Any]:
 
 
 def solve_chain(pitch_limit_deg: float, window: tuple[float, float]) -> list[list[float] | None]:
-    """The parameters for each of DURATIONS, from the longest to the shortest, each plan the guess of the next one."""
+    """Parameters for each of DURATIONS; the solver goes from the longest to the shortest by continuation."""
     plans: list[list[float]] = []
     last: Solution | None = None
     for duration in reversed(DURATIONS):
         requested = maneuver(duration, pitch_limit_deg, window)
-        last = solve_from_unconstrained(requested) if last is None else shorten(last, requested)
+        last = solve_from_unconsnetwork_data(requested) if last is None else shorten(last, requested)
         if last is None or not is_sound(requested, last):
             break
         plans.insert(0, last.p.tolist())
     return [*([None] * (len(DURATIONS) - len(plans))), *plans]
 
 
-def solve_from_unconstrained(requested: Maneuver) -> Solution | None:
-    """The paper's way: (14) first, then (38) from there."""
+def solve_from_unconsnetwork_data(requested: Maneuver) -> Solution | None:
+    """Solve (38) from the solution of (14), as in the paper."""
     unconstrained = solve_unconstrained(requested)
     problem = ConstrainedProblem(requested)
     return unconstrained and problem.solve(problem.guess(unconstrained.stretched(requested.duration)), FINE)
 
 
 def shorten(solution: Solution, requested: Maneuver) -> Solution | None:
-    """The solution for a maneuver from that for a longer one, in small steps."""
+    """Solve a maneuver from the solution of a longer one, by continuation in small steps."""
     found: Solution | None = solution
     for duration in np.linspace(float(solution.t[-1]), requested.duration, STEPS + 1)[1:].tolist():
         found = found and ConstrainedProblem(replace(requested, duration=duration)).solve(
@@ -131,8 +133,10 @@ def shorten(solution: Solution, requested: Maneuver) -> Solution | None:
 
 
 def is_sound(requested: Maneuver, solution: Solution) -> bool:
-    """Whether the voltages keep their limits (where the bounds (22) cross, they do not; the pitch always does), and
-    the page, which integrates (38) forwards from the start, arrives at the goal."""
+    """Whether the voltages meet their limits, and forward integration of (38), as on the page, reaches the goal.
+
+    The voltages exceed their limits where the bounds (22) cross; the pitch always meets its limits.
+    """
     problem = ConstrainedProblem(requested)
     low, high = requested.limits.u
     u = problem.trajectory(solution).u
@@ -148,7 +152,7 @@ def is_sound(requested: Maneuver, solution: Solution) -> bool:
 
 
 def live_data(rig: Rig = PAPER) -> dict[str, Any]:
-    """All numbers of the page: each stands once, in the module that it comes from.
+    """All data of the page, collected from the modules that define them.
 
     Raises ValueError for a rig with other coefficients or another thrust map: the grid of plans is the paper's.
     """
@@ -177,7 +181,7 @@ def live_data(rig: Rig = PAPER) -> dict[str, Any]:
             "state_scale": STATE_SCALE.tolist(),
             "largest": FEATURE_CLIP,
         },
-        "networks": {name: trained(name, elevation, parameters) for name in sorted(set(NETWORK_FOR.values()))},
+        "networks": {name: network_data(name, elevation, parameters) for name in sorted(set(NETWORK_FOR.values()))},
         "network_for": NETWORK_FOR,
         "plants": {name: plain(plant) for name, plant in PLANTS.items() if not plant.is_general},
         "rig": solve_rigid_body("A")._asdict(),
@@ -187,7 +191,7 @@ def live_data(rig: Rig = PAPER) -> dict[str, Any]:
 
 
 def kalman_data(name: str, elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
-    """What a policy with a Kalman filter assumes; M is the cost of holding hover at an elevation in rad for ever."""
+    """Model, weights and noise of a policy with a Kalman filter; M is the stationary cost of hover at `elevation`."""
     weights = weights_of(name)
     assert isinstance(weights, ObserverWeights)
     hover = np.array([0.0, 0.0, elevation, 0.0, 0.0, 0.0])[:, None], hover_input(elevation, parameters)[:, None]
@@ -203,10 +207,10 @@ def kalman_data(name: str, elevation: float, parameters: HelicopterParameters) -
     }
 
 
-def trained(name: str, elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
-    """Controllers for a plant: the Kalman LQR, and the learned correction with the regulator that it corrects.
+def network_data(name: str, elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
+    """Controllers for a plant: Kalman LQR, and the learned correction with its base regulator.
 
-    The network's arrays are base64 of float32, row by row.
+    The network's arrays are base64-encoded float32, row by row.
     """
     settings, network = load_learned(LEARNED / name)
     assert isinstance(network, RecurrentNetwork) and (settings.law, len(network.head.weights)) == ("saturated", 1)
@@ -225,7 +229,7 @@ def trained(name: str, elevation: float, parameters: HelicopterParameters) -> di
 
 
 def plain(value: Any) -> Any:
-    """A plant, drawn or not, as JSON can hold it: records by their fields, and None for infinity.
+    """Convert a plant or a draw for JSON: records to dictionaries of their fields, infinity to None.
 
     The page counts delays in control periods.
     """
@@ -243,13 +247,13 @@ def plain(value: Any) -> Any:
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-demo`."""
+    """Run the command `heli-demo`."""
     with command("heli-demo"):
         run(args or parse(Args, "heli-demo"))
 
 
 def run(args: Args) -> None:
-    """Write the page and open it, or solve its plans."""
+    """Write and open the page, or solve its grid of plans."""
     console = Console()
     if args.solve_plans:
         check_folder("the package's folder", PLANS.parent)

@@ -1,4 +1,4 @@
-"""`heli-evaluate`: fly the policies, print one table, write results.json and the paper's figures."""
+"""`heli-evaluate`: fly policies, print one table, write results.json and the paper's figures."""
 
 import json
 import sys
@@ -38,9 +38,9 @@ from heli_gym.vector_env import Heli3DOFVectorEnv
 RESULTS = "results.json"
 PAPERS_REFERENCE = "travel-360"
 PAPER_PERIOD = 1e-3  # s, the sampling time of Section IV
-FIGURE_START_DEG = (-5.0, 5.0)  # travel and elevation off the reference, where the flights of Figs. 10 and 11 start
+FIGURE_START_DEG = (-5.0, 5.0)  # start of Figs. 10 and 11: travel and elevation relative to the reference
 FLIGHTS_ON_A_PAGE = 60
-# One of each kind, by default; the leaderboard flies the whole field.
+# By default one policy of each kind; the leaderboard flies all.
 COMPARED = ("open-loop", "feedforward+tvlqr", "lqi", "kalman-lqr", "adaptive-mpc", "hover-lqr")
 COLUMNS = (
     "start",
@@ -70,43 +70,41 @@ CAPTION = (
 
 @dataclass
 class Args:
-    """Fly the policies along a reference: once from its start at the paper's sampling time of 1 ms (on a plant that is
-    not drawn), and in many episodes from perturbed starts. Every policy flies the same episodes."""
+    """Fly policies along a reference: once from its start at the paper's sampling time of 1 ms (unless the plant is
+    random), and in many episodes from perturbed starts. Every policy flies the same episodes."""
 
     policies: tuple[str, ...] = (
-        COMPARED  # which to fly: names, files (.json, .zip of Stable-Baselines3, .onnx), module:function
+        COMPARED  # policies: names, files (.json, .zip of Stable-Baselines3, .onnx), module:function
     )
-    reference: str = "travel-360"  # a packaged reference, or an .npz file that heli-plan wrote
-    rig: str = "paper"  # what controllers are designed for and plants deviate from: a name, or a .toml file
-    force: bool = False  # whether to fly a plan that is for another rig
-    plant: str = (
-        "nominal"  # what is flown: nominal, lab, rigid, NAME+outside; drawn anew in each episode where it has ranges
-    )
-    episodes: int = 10  # from perturbed starts
-    seed: int = HELD_OUT_SEED  # of the first episode; the others count on. Tuning and training stay below the default
-    control_period: float = 0.02  # s, in these episodes
-    start_spread_deg: float = 5.0  # how far each angle of their starts may be off
+    reference: str = "travel-360"  # a packaged reference, or an .npz file of heli-plan
+    rig: str = "paper"  # nominal rig of controllers and plants: a name, or a .toml file
+    force: bool = False  # fly a plan even if it is for another rig
+    plant: str = "nominal"  # plant to fly: nominal, lab, rigid, NAME+outside; each episode draws its ranges anew
+    episodes: int = 10  # number of episodes from perturbed starts
+    seed: int = HELD_OUT_SEED  # seed of the first episode, then counting up; tuning and training stay below the default
+    control_period: float = 0.02  # s, in the episodes
+    start_spread_deg: float = 5.0  # greatest deviation of each angle at the start
     out: Path = Path("out")  # folder for results.json and the figures
-    figures: bool = True  # whether to draw the paper's figures
-    format: Literal["png", "pdf", "svg"] = "png"  # of the figures
-    columns: Literal[0, 1, 2] = 0  # of a journal, that the figures are as wide as; 0 for the screen
-    report: Path | None = None  # a page to write, .html: the table, interactive plots and a replay of the flights in 3D
+    figures: bool = True  # draw the paper's figures
+    format: Literal["png", "pdf", "svg"] = "png"  # format of the figures
+    columns: Literal[0, 1, 2] = 0  # width of the figures in columns of a journal; 0 for the screen
+    report: Path | None = None  # .html page to write: table, interactive plots and a 3D replay of the flights
 
 
 class Flight(NamedTuple):
-    """One flight, and what it is judged by."""
+    """Flight with its metrics."""
 
     policy: str
     start: str
     control_period: float
     seed: int
-    wall_time: float  # s, its share of that of the flights that were flown with it
+    wall_time: float  # s, share of the time of the flights flown together
     metrics: Metrics
     trajectory: Trajectory
 
 
 def evaluate(args: Args, console: Console, flights: list[Flight] | None = None) -> list[Flight]:
-    """Fly every policy: once exactly, and then the episodes. Flights are appended to `flights` as they are flown."""
+    """Fly every policy, first from the exact start, then in the episodes; append each flight to `flights`."""
     flights = [] if flights is None else flights
     check_folder("out", args.out)
     if args.report is not None:
@@ -125,9 +123,9 @@ def evaluate(args: Args, console: Console, flights: list[Flight] | None = None) 
     off: dict[str, Any] = {"rig": rig, "control_period": args.control_period, "start_spread_deg": args.start_spread_deg}
     single = Heli3DOFEnv(exact.plant, reference, **off)
     perturbed = Heli3DOFVectorEnv(args.episodes, exact.plant, reference, **off)
-    # All that can be refused is made before the first flight.
+    # Make all policies and environments first, so that errors appear before the first flight.
     policies = {name: make_pilot(name, reference, args.control_period) for name in args.policies}
-    # what was learned flies at its own control period only
+    # a learned policy requires the control period of its training
     jobs = (
         []
         if exact.plant.is_random
@@ -153,14 +151,14 @@ def evaluate(args: Args, console: Console, flights: list[Flight] | None = None) 
 
 
 def flight_row(flight: Flight) -> dict[str, Any]:
-    """A flight in results.json: all but where it went."""
+    """Entry of a flight in results.json, without its trajectory."""
     row = {**flight._asdict(), "metrics": flight.metrics._asdict()}
     del row["trajectory"]
     return row
 
 
 def summarise(flights: Sequence[Flight]) -> list[dict[str, Any]]:
-    """One entry per start and policy: the mean of every metric, with its bootstrapped confidence interval."""
+    """Entries per start and policy: mean of every metric with its bootstrap confidence interval."""
     groups = dict.fromkeys((flight.start, flight.policy) for flight in flights)
     rows = []
     for start, policy in groups:
@@ -174,13 +172,13 @@ def summarise(flights: Sequence[Flight]) -> list[dict[str, Any]]:
 
 
 def subject(args: Args) -> str:
-    """What is flown."""
+    """Text that names plant and rig."""
     rig = "" if args.rig == PAPER.name else f" of the rig {find_rig(args.rig).name}"
     return f"{Path(args.reference).name} on the plant {args.plant}{rig}"
 
 
 def table_title(args: Args, rows: Iterable[dict[str, Any]]) -> str:
-    """What the table with these rows is about."""
+    """Title of the table with given rows."""
     off, period = f"{args.start_spread_deg:g}°", f"{args.control_period * 1e3:g} ms"
     starts = {
         "exact": f"exact start at {PAPER_PERIOD * 1e3:g} ms",
@@ -191,7 +189,7 @@ def table_title(args: Args, rows: Iterable[dict[str, Any]]) -> str:
 
 
 def table_cells(row: dict[str, Any]) -> list[str]:
-    """One row under COLUMNS: means, and for the RMS errors half the width of the interval."""
+    """Cells of a row under COLUMNS: means, and for RMS errors half the width of the interval."""
     mean = {name: value["mean"] for name, value in row.items() if isinstance(value, dict)}
     interval = row["rms_error_deg"]["interval"]
     rms = [f"{value:.4f}" if interval is None else f"{value:.2f}" for value in mean["rms_error_deg"]]
@@ -213,7 +211,7 @@ def table_cells(row: dict[str, Any]) -> list[str]:
 
 
 def results_table(rows: Sequence[dict[str, Any]], args: Args) -> Table:
-    """What is printed."""
+    """Table of the summary, as printed."""
     table = Table(title=table_title(args, rows), caption=CAPTION)
     for name in COLUMNS:
         table.add_column(name, justify="left" if name in ("start", "policy") else "right")
@@ -227,7 +225,7 @@ def results_table(rows: Sequence[dict[str, Any]], args: Args) -> Table:
 
 
 def report_flights(args: Args, flights: Sequence[Flight]) -> list[Shown]:
-    """What the report shows: the draw that is hardest for all, the median one, others, and the exact start."""
+    """Flights of the report: the hardest draw, the median draw, more draws, and the exact start."""
     perturbed = [flight for flight in flights if flight.start == "perturbed"]
     seeds = hardest_first(perturbed)
     names = dict.fromkeys(seeds[:: max(len(seeds) // 2, 1)][:2], "")
@@ -257,12 +255,12 @@ def report_flights(args: Args, flights: Sequence[Flight]) -> list[Shown]:
 
 
 def error_deg(flight: Flight) -> float:
-    """RMS distance from the reference in travel and elevation."""
+    """RMS distance in degrees from the reference in travel and elevation."""
     return float(np.hypot(*flight.metrics.rms_error_deg[:2]))
 
 
 def hardest_first(flights: Sequence[Flight]) -> list[int]:
-    """The seeds, ordered by the mean over policies of the rank of their flights, crashes being the worst."""
+    """Seeds by the mean rank of their flights over all policies, the hardest first; crashes rank last."""
     seeds = sorted({flight.seed for flight in flights})
     total = dict.fromkeys(seeds, 0.0)
     for policy in {flight.policy for flight in flights}:
@@ -276,7 +274,7 @@ def hardest_first(flights: Sequence[Flight]) -> list[int]:
 
 
 def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: Maneuver) -> list[dict[str, Any]]:
-    """What the paper's text states of the maneuver, beside what this code computes."""
+    """Numbers in the paper's text on the maneuver, with the values that this code computes."""
     p, limits = maneuver.parameters, maneuver.limits
     window = f"{limits.u_min:g} to {limits.u_max:g} V"
     pitch_window = f"within ±{np.degrees(limits.pitch_max):g}°"
@@ -300,7 +298,7 @@ def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: 
 
 
 def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory, console: Console) -> None:
-    """Every figure of the paper but its photographs and schematics; Figs. 10 and 11 of what is flown."""
+    """Draw the paper's figures except photographs and schematics; Figs. 10 and 11 show the flights of this run."""
     rig = find_rig(args.rig)
     env = Heli3DOFEnv(find_condition(args.plant), reference_for(args.reference, rig, args.force), PAPER_PERIOD, rig=rig)
     reference, title = env.reference, f"{subject(args)} at {PAPER_PERIOD * 1e3:g} ms"
@@ -322,7 +320,7 @@ def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory,
 
 
 def paper_figures(unconstrained: Trajectory, constrained: Trajectory) -> dict[str, Any]:
-    """Figs. 2 to 9, which are of the paper's rig and maneuver."""
+    """Figs. 2 to 9, of the paper's rig and maneuver, by name."""
     parameters, limits = Maneuver().parameters, Maneuver().limits
     return {
         "fig02-thrust-map": figures.thrust_map(parameters),
@@ -336,13 +334,13 @@ def paper_figures(unconstrained: Trajectory, constrained: Trajectory) -> dict[st
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-evaluate`."""
+    """Run the command `heli-evaluate`."""
     with command("heli-evaluate"):
         run(args or parse(Args, "heli-evaluate"))
 
 
 def run(args: Args) -> None:
-    """Fly, write the results, and only then print and draw them; interrupted, write those of the flights so far."""
+    """Fly, write the results, then print and draw them; an interrupt writes the flights so far."""
     console = Console(width=None if sys.stdout.isatty() else 180)
     path = args.out / RESULTS
     flights: list[Flight] = []

@@ -1,4 +1,4 @@
-"""`heli-export`: a plan and its controller for the laboratory, as CSV, for Simulink, or as C."""
+"""`heli-export`: a plan and its controller for the laboratory, as CSV, for Simulink or as C."""
 
 import csv
 import io
@@ -36,23 +36,23 @@ COMPILE = ("cc", "-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-sh
 
 @dataclass
 class Args:
-    """Write a plan and the controller that flies it: reference, feedforward and gains as CSV or .mat, or C."""
+    """Write a plan and its controller: reference, feedforward and gains as CSV or .mat, or the controller as C."""
 
     plan: Annotated[
         str, tyro.conf.arg(name="PLAN"), tyro.conf.Positional
     ]  # .npz file of heli-plan, or a packaged reference
-    policy: str = "feedforward+tvlqr"  # controller; C takes any that C can express, learned ones too
+    policy: str = "feedforward+tvlqr"  # controller; format c also supports learned ones
     format: Literal["csv", "mat", "c"] = "c"
     out: Path = Path("out/export")  # folder
-    precision: Literal["double", "single"] = "double"  # of the C code
+    precision: Literal["double", "single"] = "double"  # precision of the C code
     control_period: float = 0.02  # s
     rig: str | None = None  # name or .toml file; by default the plan's
-    force: bool = False  # whether to use a plan for another rig
+    force: bool = False  # use a plan even if it is for another rig
 
 
 @dataclass(frozen=True)
 class Controller:
-    """What a controller amounts to on its control grid."""
+    """Reference, feedforward and gains of a controller on its control grid."""
 
     t: np.ndarray  # (K,) s
     x: np.ndarray  # (6, K) reference, rad and rad/s
@@ -62,7 +62,7 @@ class Controller:
 
 
 def controller_of(policy: Policy, rig: Rig, name: str) -> Controller:
-    """The reference, feedforward and gains of a policy. Raises ValueError where it is more than these."""
+    """Reference, feedforward and gains of a policy. Raises ValueError for a policy with more than these."""
     if isinstance(policy, TrackingPolicy):
         x, v, gains = policy.x, policy.v, policy.gains
         u = rig.voltage((0.5 * (v[0] + v[1]), 0.5 * (v[0] - v[1])))
@@ -76,7 +76,7 @@ def controller_of(policy: Policy, rig: Rig, name: str) -> Controller:
 
 
 def gain_inputs(controller: Controller, policy: Policy) -> list[str]:
-    """What the columns of the gains act on."""
+    """Names of the signals behind the columns of the gains."""
     extra: tuple[str, ...] = ()
     if isinstance(policy, ModelPolicy):
         extra = (EXTRA[:2] if policy.regulator.lagging else ()) + (EXTRA[2:] if policy.regulator.integrating else ())
@@ -84,7 +84,7 @@ def gain_inputs(controller: Controller, policy: Policy) -> list[str]:
 
 
 def csv_text(controller: Controller, inputs: list[str]) -> str:
-    """One row for each sample; the header names signals and units."""
+    """CSV text with one row per sample; the header names signals and units."""
     columns = ["t_s", *(f"{name}_{unit.replace('/', '_per_')}" for name, unit in zip(STATES, UNITS))]
     columns += ["u_front_V", "u_back_V", "v_sum_N", "v_difference_N"]
     columns += [f"K_{row}_{name}" for row in ("sum", "difference") for name in inputs]
@@ -99,7 +99,7 @@ def csv_text(controller: Controller, inputs: list[str]) -> str:
 
 
 def from_workspace(t: np.ndarray, values: np.ndarray) -> dict[str, Any]:
-    """A signal (n, K) or (m, n, K) as the structure with time that Simulink's From Workspace reads."""
+    """Structure with time for Simulink's From Workspace block, from a signal (n, K) or (m, n, K)."""
     signals: dict[str, Any]
     if values.ndim == 2:
         signals = {"values": values.T, "dimensions": float(len(values))}
@@ -109,7 +109,7 @@ def from_workspace(t: np.ndarray, values: np.ndarray) -> dict[str, Any]:
 
 
 def mat_bytes(controller: Controller, inputs: list[str], rig: Rig, policy: str) -> bytes:
-    """A MATLAB 5 file of `from_workspace` structures."""
+    """MATLAB 5 file of `from_workspace` structures."""
     from scipy.io import savemat
 
     c, buffer = controller, io.BytesIO()
@@ -182,7 +182,7 @@ TABLE_NOTES = {
 
 
 def readme(args: Args, policy: Policy, rig: Rig, reference: Trajectory, inputs: list[str]) -> str:
-    """What is said of signals, signs and units."""
+    """Text of README.md on signals, signs and units."""
 
     def words(rotor: str) -> str:
         curve = getattr(rig.thrust_map, rotor)
@@ -223,8 +223,8 @@ def readme(args: Args, policy: Policy, rig: Rig, reference: Trajectory, inputs: 
     )
 
 
-def exported(args: Args) -> dict[str, bytes]:
-    """The files, by their names. Raises ValueError for what cannot be exported."""
+def export_files(args: Args) -> dict[str, bytes]:
+    """Contents of the exported files, by name. Raises ValueError for a policy without an exported form."""
     reference = find_reference(args.plan)
     assert isinstance(reference, Trajectory)
     rig = reference.rig if args.rig is None else find_rig(args.rig)
@@ -244,10 +244,10 @@ def exported(args: Args) -> dict[str, bytes]:
     return {**files, "README.md": readme(args, policy, rig, reference, inputs).encode()}
 
 
-def compiled(folder: Path, precision: str) -> Any:
-    """A function of (t, y (6,)) that calls the C code in a folder, and one that resets it.
+def load_controller(folder: Path, precision: str) -> Any:
+    """Compile and load the C code in a folder: the library, and the ctypes type of its numbers.
 
-    Raises RuntimeError with the compiler's words if it does not compile without a warning.
+    Raises RuntimeError with the compiler's message for any error or warning.
     """
     with tempfile.TemporaryDirectory() as build:
         library = Path(build) / "heli_controller.so"
@@ -264,8 +264,8 @@ def compiled(folder: Path, precision: str) -> Any:
 
 
 def step_time(folder: Path, args: Args) -> float:
-    """Microseconds of a call of `heli_step`, compiled here, less those of calling C from Python."""
-    loaded, number = compiled(folder, args.precision)
+    """Time in µs of a call of `heli_step` on this machine, minus the overhead of a call from Python."""
+    loaded, number = load_controller(folder, args.precision)
     y, u = (number * 6)(), (number * 2)()
     t = number(1.0)
 
@@ -280,12 +280,12 @@ def step_time(folder: Path, args: Args) -> float:
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-export`."""
+    """Run the command `heli-export`."""
     with command(PROGRAM):
         args = args or parse(Args, PROGRAM)
         console = Console()
         check_folder("out", args.out)
-        files = exported(args)
+        files = export_files(args)
         announce_replaced(PROGRAM, *(args.out / name for name in files))
         for name, data in files.items():
             with atomic_write(args.out / name) as file:

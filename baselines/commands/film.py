@@ -17,29 +17,29 @@ from heli_gym.rendering import Renderer, RenderState
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.trajectory import Trajectory
 
-COLOURS = 96  # of the GIF; most are shades of grey
-LAST = 2.0  # s, for which the last picture stays
+COLOURS = 96  # in the palette of the GIF; most are shades of grey
+LAST = 2.0  # s, duration of the last picture
 
 
 @dataclass
 class Args:
-    """Fly policies along a reference from its exact start, on the same draw of a plant, and film them side by side."""
+    """Film policies side by side: flights along a reference from its exact start, on the same draw of a plant."""
 
-    policies: tuple[str, ...] = ("feedforward+tvlqr", "residual")  # which to fly, from the left to the right
-    plant: str = "lab"  # what is flown: nominal, lab or rigid
-    reference: str = "travel-360"  # a packaged reference, or an .npz file that heli-plan wrote
-    rig: str = "paper"  # a name, or a .toml file
-    force: bool = False  # whether to fly a plan that is for another rig
-    seed: int = HELD_OUT_SEED  # of the episode
-    width: int = 440  # of each picture in pixels, a multiple of 8
-    frame_time: float = 0.06  # s, a multiple of 0.01
-    out: Path = Path("out/flight.gif")  # where the film goes
+    policies: tuple[str, ...] = ("feedforward+tvlqr", "residual")  # policies, from left to right
+    plant: str = "lab"  # plant to fly: nominal, lab or rigid
+    reference: str = "travel-360"  # a packaged reference, or an .npz file of heli-plan
+    rig: str = "paper"  # rig: a name, or a .toml file
+    force: bool = False  # fly a plan even if it is for another rig
+    seed: int = HELD_OUT_SEED  # seed of the episode
+    width: int = 440  # width of each picture in pixels, a multiple of 8
+    frame_time: float = 0.06  # s between pictures, a multiple of 0.01
+    out: Path = Path("out/flight.gif")  # the film, a .gif file
 
 
 def film(flights: Mapping[str, Trajectory], env: Heli3DOFEnv, width: int, frame_time: float) -> list[np.ndarray]:
-    """Pictures (H, W, 3), uint8, of the flights side by side, every frame_time seconds; the last one shows their ends.
+    """Pictures (H, W, 3), uint8, of flights side by side, every `frame_time` seconds; the last one shows their ends.
 
-    Raises ValueError for a width that `Renderer` refuses, gymnasium.error.DependencyNotInstalled without pygame.
+    Raises ValueError for an invalid width of `Renderer`, gymnasium.error.DependencyNotInstalled without pygame.
     """
     renderer = Renderer(width)
     end = max(flight.duration for flight in flights.values())
@@ -53,7 +53,7 @@ def film(flights: Mapping[str, Trajectory], env: Heli3DOFEnv, width: int, frame_
 
 
 def render_state_at(flight: Trajectory, env: Heli3DOFEnv, t: float, title: str) -> RenderState:
-    """A flight in an environment at the time t in s, or its end if it was over by then."""
+    """Render state of a flight in an environment at the time t in s, at most its end."""
     reference = env.reference
     over = t > flight.duration
     t = min(t, flight.duration)
@@ -76,9 +76,9 @@ def render_state_at(flight: Trajectory, env: Heli3DOFEnv, t: float, title: str) 
 
 
 def write_gif(pictures: Sequence[np.ndarray], frame_time: float, path: Path) -> None:
-    """Write pictures (H, W, 3), uint8, as a GIF that repeats for ever, all with one palette.
+    """Write pictures (H, W, 3), uint8, as an endless GIF with one palette.
 
-    Raises ValueError for a frame time that no GIF has, gymnasium.error.DependencyNotInstalled without Pillow.
+    Raises ValueError for an invalid frame time, gymnasium.error.DependencyNotInstalled without Pillow.
     """
     milliseconds = delay(frame_time)
     try:
@@ -96,7 +96,7 @@ def write_gif(pictures: Sequence[np.ndarray], frame_time: float, path: Path) -> 
 
 
 def delay(frame_time: float) -> int:
-    """The milliseconds that a GIF shows a picture for. Raises ValueError for a time in s that no GIF has."""
+    """Frame time in ms from a time in s. Raises ValueError unless a GIF can represent it."""
     hundredths = round(100.0 * frame_time) if math.isfinite(frame_time) else 0
     if hundredths < 2 or abs(100.0 * frame_time - hundredths) > 1e-6:
         raise ValueError(f"frame_time = {frame_time!r}: must be a multiple of 0.01 s from 0.02 s on")
@@ -104,13 +104,13 @@ def delay(frame_time: float) -> int:
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-film`."""
+    """Run the command `heli-film`."""
     with command("heli-film"):
         run(args or parse(Args, "heli-film"))
 
 
 def run(args: Args) -> None:
-    """Fly, film and write."""
+    """Fly, film and write the GIF."""
     if not args.policies or len(set(args.policies)) < len(args.policies):
         raise ValueError(f"policies = {args.policies}: must name at least one, and none twice")
     if args.seed < 0:

@@ -1,4 +1,4 @@
-"""`heli-identify`: a rig from logs of its flights, and how well it predicts what was not fitted."""
+"""`heli-identify`: a rig from logs of its flights, with prediction errors on the parts that were not fitted."""
 
 import json
 import math
@@ -32,29 +32,29 @@ from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, check_folder
 
-STRONG = 0.9  # correlation that is printed
+STRONG = 0.9  # least correlation to print
 
 
 @dataclass
 class Args:
-    """Identify a rig from logs of its flights, and say how well the model predicts what was not fitted."""
+    """Identify a rig from logs of its flights, and print the prediction errors on the parts that were not fitted."""
 
-    logs: Annotated[tuple[Path, ...], tyro.conf.Positional] = ()  # .csv or .mat, all of one rig
-    rig: str = "paper"  # name or .toml of the rig that gives the scale of the thrusts, sensors and amplifier
-    fit_share: float = 0.6  # share of each log, from its start, that is fitted; the rest is predicted
-    mapping: Path | None = None  # .toml or .json with the tables columns, signs, units, zeros
+    logs: Annotated[tuple[Path, ...], tyro.conf.Positional] = ()  # .csv or .mat logs of one rig
+    rig: str = "paper"  # name or .toml of a rig: scale of the thrusts, sensors, amplifier
+    fit_share: float = 0.6  # share of each log, from its start, to fit; the rest is predicted
+    mapping: Path | None = None  # .toml or .json with the tables columns, signs, units and zeros
     sample_time: float | None = None  # s; by default 0.01, or the log's own if that is longer
-    out: Path | None = None  # .toml, for the identified rig; .csv, for the experiment
-    design: bool = False  # whether to design an experiment for the rig instead, without logs
-    duration: float = LONGEST  # s, of the experiment
-    json: Path | None = None  # .json, for the report
-    figures: Path | None = None  # folder, for measured and predicted angles
-    ablation: bool = False  # whether to identify without and with each effect, too: takes ten times as long
-    quiet: bool = False  # whether to leave out the progress
+    out: Path | None = None  # .toml for the identified rig, .csv for the experiment
+    design: bool = False  # design an experiment for the rig instead, without logs
+    duration: float = LONGEST  # s, duration of the experiment
+    json: Path | None = None  # .json for the report
+    figures: Path | None = None  # folder for figures of measured and predicted angles
+    ablation: bool = False  # also identify without and with each effect, which takes ten times as long
+    quiet: bool = False  # hide the progress
 
 
 def parameter_table(model: Identification) -> Table:
-    """The parameters with standard errors."""
+    """Table of the parameters with standard errors."""
     table = Table("parameter", "value", "standard error", "", title=f"{', '.join(model.logs)}")
     errors = model.standard_errors
     for name, value in model.parameters._asdict().items():
@@ -66,7 +66,7 @@ def parameter_table(model: Identification) -> Table:
 
 
 def prediction_table(validations: Sequence[Validation], horizon: float) -> Table:
-    """RMS errors in degrees of each predictor, and relative to constant rate, over all logs."""
+    """Table of RMS errors over all logs, by predictor: in degrees, and relative to constant rate."""
     table = Table("predictor", *ANGLES, title=f"RMS error in degrees after {horizon:g} s (share of constant rate)")
     plain = pooled(validations, horizon, "constant rate")
     for name in ("constant rate", "constant acceleration", "black box", "model", "model, shrunk"):
@@ -78,7 +78,7 @@ def prediction_table(validations: Sequence[Validation], horizon: float) -> Table
 
 
 def log_table(validations: Sequence[Validation]) -> Table:
-    """Errors at 1 s relative to constant rate, log by log: model and black box."""
+    """Table of errors at 1 s relative to constant rate, by log, for model and black box."""
     table = Table("log", "windows", *ANGLES, title="model, shrunk / black box at 1 s, share of constant rate")
     for v in validations:
         if 1.0 in v.rms:
@@ -93,7 +93,7 @@ def log_table(validations: Sequence[Validation]) -> Table:
 
 
 def ablation_table(logs: list[FlightLog], args: Args, progress: Any) -> tuple[Table, dict[str, Any]]:
-    """Errors at 1 s of models that have more and more of the effects, and of the whole without each."""
+    """Errors at 1 s of models with effects added one by one, and of the full model without each effect."""
     table = Table("effects", *ANGLES, title="RMS error in degrees at 1 s, windows that were not fitted")
     names, found = list(EFFECTS), {}
     cases: dict[str, list[str]] = {"(2) and (3) alone": []} | {
@@ -110,7 +110,7 @@ def ablation_table(logs: list[FlightLog], args: Args, progress: Any) -> tuple[Ta
 
 
 def check(args: Args) -> None:
-    """Raises ValueError for arguments that cannot be."""
+    """Raise ValueError for invalid arguments."""
     if args.design:
         if args.logs:
             raise ValueError("logs: must be left out with --design")
@@ -132,7 +132,7 @@ def check(args: Args) -> None:
 
 
 def run_design(args: Args) -> None:
-    """Design an experiment, write its references and the flight that is expected, print the expected errors."""
+    """Design an experiment, write its references and expected flight, print the expected errors."""
     out = args.out or Path("out/experiment.csv")
     check_folder("out", out.parent)
     experiment = design(find_rig(args.rig), args.duration)
@@ -149,7 +149,7 @@ def run_design(args: Args) -> None:
 
 
 def run(args: Args) -> None:
-    """Load, identify, predict, write, print."""
+    """Load the logs, identify, predict, write and print."""
     check(args)
     find_rig(args.rig)
     announce_replaced("heli-identify", *(path for path in (args.out, args.json) if path))
@@ -213,7 +213,7 @@ def run(args: Args) -> None:
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-identify`."""
+    """Run the command `heli-identify`."""
     with command("heli-identify"):
         run(args or parse(Args, "heli-identify"))
 

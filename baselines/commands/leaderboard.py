@@ -1,13 +1,13 @@
-"""`heli-leaderboard`: policies on the same draws of plants, along maneuvers, in tables with intervals and ranks.
+"""`heli-leaderboard`: tables of policies on common draws of plants, along maneuvers, with intervals and ranks.
 
-Each plant is also flown as PLANT+outside, with Coulomb friction, a weaker front rotor and gusts, which no controller
-was designed or tuned for. Flights are stored as they are flown: after a kill, the same command with --resume goes on.
-Policies are names (`NAME@PLANT`: with the weights that were tuned for the plant), files of learned policies (.json), of
-Stable-Baselines3 (.zip) or ONNX, and functions of your own, my_module:make. The folder then holds
+Each plant also flies as PLANT+outside: with Coulomb friction, a weaker front rotor and gusts, outside the design
+family of all controllers. Every batch of flights is stored at once; after a kill, the command with --resume continues.
+Policies are names (`NAME@PLANT`: with weights tuned for the plant), files of learned policies (.json),
+Stable-Baselines3 models (.zip) or ONNX networks, and own functions, my_module:make. The folder holds
 
-    flights.parquet, flights.csv   a row for every flight
+    flights.parquet, flights.csv   one row per flight
     leaderboard.md, .html, .json   the tables
-    pages/                         for each table, the median and the worst flight in plots and in 3D
+    pages/                         per table, the median and the worst flight in plots and in 3D
 """
 
 import html
@@ -55,7 +55,7 @@ from heli_gym.vector_env import Heli3DOFVectorEnv
 NOT_COMPARED = ("middle-voltage", "zero", "residual-rigid")
 COMPARED = tuple(f"{name}@PLANT" if name in WEIGHTS else name for name in POLICIES if name not in NOT_COMPARED)
 SETTINGS = "settings.json"
-ON_A_PAGE = 6  # policies
+ON_A_PAGE = 6  # greatest number of policies
 COLUMNS = (
     "rank",
     "policy",
@@ -80,28 +80,28 @@ CAPTION = (
 
 @dataclass
 class Args:
-    """Fly a leaderboard."""
+    """Fly policies on common draws of plants, and write tables with intervals and ranks."""
 
     policies: Annotated[tuple[str, ...], tyro.conf.arg(aliases=["--policy"])] = (
-        COMPARED  # names, files, module:function
+        COMPARED  # policies: names, files, module:function
     )
     plants: tuple[str, ...] = tuple(PLANTS)
-    outside: bool = True  # whether each plant is also flown with disturbances outside the family
+    outside: bool = True  # also fly each plant with disturbances outside the design family
     references: tuple[str, ...] = ("travel-360",)  # maneuvers: packaged references, or .npz files
-    episodes: int = 1000  # draws of each plant
-    seed: int = HELD_OUT_SEED  # of the first; the others count on
-    against: str = "feedforward+tvlqr@PLANT"  # the policy that the others are compared with, if it is flown
-    start_spread_deg: float = 5.0  # how far each angle of the starts may be off
+    episodes: int = 1000  # number of draws of each plant
+    seed: int = HELD_OUT_SEED  # seed of the first draw, then counting up
+    against: str = "feedforward+tvlqr@PLANT"  # policy to compare the others with, if it flies
+    start_spread_deg: float = 5.0  # greatest deviation of each angle at the start
     control_period: float = 0.02  # s
-    workers: int = 2  # processes
-    batch: int = 100  # episodes that one process flies at once
+    workers: int = 2  # number of processes
+    batch: int = 100  # episodes that a process flies at once
     out: Path = Path("out/leaderboard")
-    resume: bool = False  # go on with the leaderboard in this folder; policies, plants and maneuvers may be added
-    pages: bool = True  # whether to write pages with plots
+    resume: bool = False  # continue the leaderboard in this folder; policies, plants and maneuvers may be added
+    pages: bool = True  # write pages with plots
 
 
 def check(args: Args) -> tuple[list[Condition], Settings]:
-    """The conditions and settings. Raises ValueError for arguments that make no sense, OSError for the folder."""
+    """Conditions and settings. Raises ValueError for invalid arguments, OSError for the folder."""
     for name, least in (("episodes", 2), ("seed", 0), ("workers", 1), ("batch", 1)):
         if getattr(args, name) < least:
             raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least}")
@@ -127,7 +127,7 @@ def check(args: Args) -> tuple[list[Condition], Settings]:
 
 
 def check_begun(args: Args, settings: Settings) -> None:
-    """Raises ValueError if the folder holds a leaderboard that is not to be gone on with, or one of other settings."""
+    """Raise ValueError if the folder holds a leaderboard with other settings, or one without --resume."""
     path = args.out / SETTINGS
     if not path.is_file():
         return
@@ -144,13 +144,13 @@ def check_begun(args: Args, settings: Settings) -> None:
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-leaderboard`."""
+    """Run the command `heli-leaderboard`."""
     with command("heli-leaderboard"):
         run(args or parse(Args, "heli-leaderboard", __doc__))
 
 
 def run(args: Args) -> None:
-    """Fly what is missing, then write and print the tables; interrupted, write those of the flights so far."""
+    """Fly the missing batches, then write and print the tables; an interrupt writes those of the flights so far."""
     conditions, settings = check(args)
     wanted, left_out = flyable(batches(args.policies, conditions, settings), settings)
     check_begun(args, settings)
@@ -198,7 +198,7 @@ def fly_missing(
     workers: int,
     console: Console,
 ) -> None:
-    """Fly the batches under a bar of flights with the time left."""
+    """Fly the missing batches, with a progress bar."""
     total, left = (sum(batch.episodes for batch in part) for part in (wanted, missing))
     columns = (
         TextColumn("{task.description}"),
@@ -216,7 +216,7 @@ def fly_missing(
 def summarise(
     args: Args, conditions: Sequence[Condition], settings: Settings, rows: Sequence[dict[str, Any]]
 ) -> list[dict[str, Any]]:
-    """One table per condition: its standings, with what a step takes and what each policy must know."""
+    """One table per condition: standings, with time per step and required knowledge of each policy."""
     tables = []
     for condition in conditions:
         own = [row for row in rows if (row["plant"], row["reference"]) == condition]
@@ -233,12 +233,12 @@ def summarise(
 
 
 def columns_of(table: dict[str, Any]) -> list[str]:
-    """The headings of a table."""
+    """Headings of a table."""
     return [name.format(table["against"] or "–") for name in COLUMNS]
 
 
 def cells(entry: dict[str, Any]) -> list[str]:
-    """One row under COLUMNS."""
+    """Cells of a row under COLUMNS."""
 
     def with_interval(value: dict[str, Any]) -> str:
         low, high = value["interval"]
@@ -260,13 +260,13 @@ def cells(entry: dict[str, Any]) -> list[str]:
 
 
 def heading(table: dict[str, Any]) -> str:
-    """The title of a table, with the number of draws that all its policies have flown."""
+    """Title of a table, with the number of draws common to all its policies."""
     draws = table["policies"][0]["draws"] if table["policies"] else 0
     return f"{table['title']}, {draws} draws"
 
 
 def print_table(table: dict[str, Any], console: Console) -> None:
-    """A table on the terminal, without the last column."""
+    """Print a table without its last column."""
     shown = Table(title=heading(table))
     for name in columns_of(table)[:-1]:
         shown.add_column(name, justify="left" if name == "policy" else "right")
@@ -277,7 +277,7 @@ def print_table(table: dict[str, Any], console: Console) -> None:
 
 
 def note(settings: Settings) -> str:
-    """What all tables have in common, in a sentence."""
+    """Sentence on the common settings of all tables."""
     return (
         f"heli-gym {version('heli-gym')}; seeds from {settings.seed} on; starts up to {settings.start_spread_deg:g}° "
         f"off; control period {1e3 * settings.control_period:g} ms; times on {platform.machine()}."
@@ -285,7 +285,7 @@ def note(settings: Settings) -> str:
 
 
 def markdown(tables: Sequence[dict[str, Any]], settings: Settings) -> str:
-    """All tables in Markdown."""
+    """Markdown text of all tables."""
 
     def line(values: Sequence[str]) -> str:
         return f"| {' | '.join(value.replace('|', chr(92) + '|') for value in values)} |"
@@ -309,7 +309,7 @@ STYLE = (
 
 
 def page(tables: Sequence[dict[str, Any]], settings: Settings, pages: bool) -> str:
-    """All tables as one HTML page without scripts, which loads nothing."""
+    """HTML page of all tables, without scripts and external resources."""
     escape = html.escape
     parts = [
         '<!doctype html><html lang="en"><head><meta charset="utf-8">',
@@ -339,14 +339,14 @@ def page(tables: Sequence[dict[str, Any]], settings: Settings, pages: bool) -> s
 
 
 def page_name(condition: Condition) -> str:
-    """Where the flights of a condition are shown, from the leaderboard's folder."""
+    """Path of a condition's page, relative to the leaderboard's folder."""
     return f"pages/{condition.plant}-{Path(condition.reference).stem}.html"
 
 
 def write_flights(
     path: Path, condition: Condition, table: dict[str, Any], settings: Settings, errors: dict[str, list[float]]
 ) -> None:
-    """The page of a condition: the best policies and the one compared with, on the best one's median and worst draw."""
+    """Write a condition's page: the best policies and the compared one, on the best one's median and worst draw."""
     entries = table["policies"]
     chosen = [entry["policy"] for entry in entries[:ON_A_PAGE]]
     own = env_settings(condition, settings)
@@ -375,12 +375,12 @@ def write_flights(
 
 
 def write_json(path: Path, value: Any) -> None:
-    """Atomically."""
+    """Write a value as JSON, atomically."""
     write_text(path, json.dumps(value, indent=1) + "\n")
 
 
 def write_text(path: Path, text: str) -> None:
-    """Atomically."""
+    """Write text, atomically."""
     with atomic_write(path) as file:
         file.write(text.encode())
 

@@ -1,4 +1,4 @@
-"""`heli-log`: draw a measured flight, by itself or with a plan."""
+"""`heli-log`: draw a measured flight, alone or with its plan."""
 
 import math
 from dataclasses import dataclass
@@ -20,17 +20,17 @@ from heli_gym.trajectory import Trajectory
 class Args:
     """Draw a measured flight: angles with references, rates, voltages, airborne and saturated parts."""
 
-    log: Annotated[Path, tyro.conf.Positional]  # .csv or .mat
-    plan: Path | None = None  # .npz of the plan that was flown
-    mapping: Path | None = None  # .toml or .json with the tables columns, signs, units, zeros
+    log: Annotated[Path, tyro.conf.Positional]  # .csv or .mat log
+    plan: Path | None = None  # .npz file of the flown plan
+    mapping: Path | None = None  # .toml or .json with the tables columns, signs, units and zeros
     sample_time: float | None = None  # s; by default 0.01, or the log's own if that is longer
-    u_min: float = -24.0  # V, the amplifier's limit
-    u_max: float = 24.0  # V
+    u_min: float = -24.0  # V, lower limit of the amplifier
+    u_max: float = 24.0  # V, upper limit of the amplifier
     out: Path | None = None  # .png or .pdf; by default the log's name in out/
 
 
 def describe(log: FlightLog) -> str:
-    """Length, ranges and airborne share of a log, in words."""
+    """Text on the length, ranges and airborne share of a log."""
     ranges = ", ".join(
         f"{name} {low:.1f}° to {high:.1f}°"
         for name, low, high in zip(ANGLES, np.degrees(log.angles.min(axis=1)), np.degrees(log.angles.max(axis=1)))
@@ -42,7 +42,7 @@ def describe(log: FlightLog) -> str:
 
 
 def run(args: Args) -> None:
-    """Load, draw and save."""
+    """Load the log, draw and save the figure."""
     out = args.out or Path("out") / f"{args.log.stem}.png"
     if out.suffix not in (".png", ".pdf"):
         raise ValueError(f"out = {str(out)!r}: must end in .png or .pdf")
@@ -59,7 +59,7 @@ def run(args: Args) -> None:
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-log`."""
+    """Run the command `heli-log`."""
     with command("heli-log"):
         run(args or parse(Args, "heli-log"))
 

@@ -1,7 +1,7 @@
-"""The maneuver suite: what `gym.make("Heli3DOF-v0", reference=name)` knows. `heli-make-references` makes it anew.
+"""`heli-make-references`: the maneuver suite, that is, the references of `gym.make("Heli3DOF-v0", reference=name)`.
 
 Most are plans of Section III-D from rest to rest. The elevation sine and the take-off prescribe travel and elevation
-over time, which by (3) determines the pitch, the thrusts and so the voltages.
+over time; by (3), these determine pitch, thrusts and voltages.
 """
 
 from collections.abc import Callable
@@ -26,13 +26,13 @@ from heli_gym.rig import PAPER
 from heli_gym.storage import check_folder
 from heli_gym.trajectory import Maneuver, Trajectory, concatenate
 
-# s, between the samples that are stored. Replayed through (3), they stay within 2e-4 rad and rad/s.
+# s, between stored samples. Replayed through (3), they stay within 2e-4 rad and rad/s.
 SAMPLE_PERIOD = 0.04
-CORNERED_PERIOD = 0.005  # of the paper's maneuver: its voltages have corners, where they meet their limits
-INVERSION_PERIOD = 1e-3  # s, of the grid on which (3) is inverted
+CORNERED_PERIOD = 0.005  # s, for the paper's maneuver: its voltages have corners at their limits
+INVERSION_PERIOD = 1e-3  # s, grid of the inversion of (3)
 
 # From rest to rest with zero second and third derivatives at both ends: the thrust leaves zero like t², and the
-# voltage, its root, like t. (After the setup polynomial of Section III-B it would be the root of t.)
+# voltage, its root, like t. (The setup polynomial of Section III-B would give sqrt(t).)
 SMOOTH_RISE = Polynomial([0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0])
 TAKE_OFF_DURATION = 8.0  # s
 
@@ -41,7 +41,7 @@ SINE_TRAVEL, SINE_ELEVATION = radians(45.0), radians(7.5)  # amplitudes
 
 
 def ground_elevation(parameters: HelicopterParameters) -> float:
-    """Elevation in rad at which (3) is at rest without any thrust, below level."""
+    """Elevation in rad, below level, at which (3) is at rest without thrust."""
 
     def acceleration(elevation: float) -> float:
         return float(dynamics((0.0, 0.0, elevation, 0.0, 0.0, 0.0), (0.0, 0.0), parameters)[3])
@@ -50,12 +50,12 @@ def ground_elevation(parameters: HelicopterParameters) -> float:
 
 
 def inversion_times(duration: float) -> np.ndarray:
-    """Times (K,) in s at which a motion is prescribed."""
+    """Times (K,) in s of the inversion grid."""
     return np.linspace(0.0, duration, 1 + round(duration / INVERSION_PERIOD))
 
 
 def elevation_sine() -> Trajectory:
-    """Elevation and, four times slower, travel swing sinusoidally, from the first moment on: nothing is at rest."""
+    """Sinusoidal elevation, and travel at a quarter of its frequency, without rest at the start."""
     t = inversion_times(SINE_DURATION)
 
     def sine(amplitude: float, period: float) -> np.ndarray:
@@ -67,7 +67,7 @@ def elevation_sine() -> Trajectory:
 
 
 def take_off() -> Trajectory:
-    """From rest without thrust, 18.6 degrees below level, up to level; the voltages start at 0 V."""
+    """Rise to level from rest without thrust, 18.6 degrees below level; the voltages start at 0 V."""
     T = TAKE_OFF_DURATION
     ground, t = ground_elevation(PAPER.parameters), inversion_times(T)
     elevation = np.stack([-ground * SMOOTH_RISE.deriv(n)(t / T) / T**n for n in range(3)])
@@ -76,13 +76,13 @@ def take_off() -> Trajectory:
 
 
 def plan_from_rest(travel_deg: float, elevation_deg: float, duration: float, start_deg: float = 0.0) -> Trajectory:
-    """A plan within the paper's limits from a travel at level to a travel and elevation, in degrees and s."""
+    """Plan within the paper's limits, from level at `start_deg` to a travel and elevation; degrees and s."""
     goal = radians(travel_deg), radians(elevation_deg)
     return plan(Maneuver((radians(start_deg), 0.0), goal, duration), method="paper")
 
 
 def return_trip() -> Trajectory:
-    """Half a turn and back."""
+    """Half a turn forth and back."""
     return concatenate(plan_from_rest(180.0, 0.0, 10.0), plan_from_rest(0.0, 0.0, 10.0, start_deg=180.0))
 
 
@@ -102,17 +102,17 @@ SUITE: dict[str, Callable[[], Trajectory]] = {
 }
 
 
-def packaged(name: str) -> Trajectory:
-    """A reference of the suite by its name, solved, and sampled as it is stored."""
-    return resampled(SUITE[name](), CORNERED_PERIOD if name == "travel-360" else SAMPLE_PERIOD)
+def solve_reference(name: str) -> Trajectory:
+    """Solve a reference of the suite by its name, sampled for storage."""
+    return resample(SUITE[name](), CORNERED_PERIOD if name == "travel-360" else SAMPLE_PERIOD)
 
 
-def resampled(trajectory: Trajectory, period: float) -> Trajectory:
-    """The trajectory with samples this many seconds apart, or nearly so, of many more.
+def resample(trajectory: Trajectory, period: float) -> Trajectory:
+    """Resample a finer trajectory with about `period` seconds between samples.
 
-    The states are its own, and the voltages at the ends. The others are those whose linear interpolation comes closest
-    to its own in the mean square, within its limits: chords of a curve are all on the same side of it, and what (3)
-    makes of that in four integrations, from pitch to travel, grows for as long as it flies.
+    The states, and the voltages at both ends, are exact. The other voltages are a least-squares fit of their linear
+    interpolation, clipped to the limits. (Exact samples would be chords on one side of a curve; over four integrations
+    from pitch to travel, their error would accumulate.)
     """
     times = np.linspace(0.0, trajectory.duration, 1 + round(trajectory.duration / period))
     knots = np.concatenate((times[:1], times, times[-1:]))
@@ -125,21 +125,21 @@ def resampled(trajectory: Trajectory, period: float) -> Trajectory:
 class Args:
     """Solve every maneuver of the suite and store it."""
 
-    out: Path = REFERENCES  # folder; by default the package's own
+    out: Path = REFERENCES  # folder; the package's own by default
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-make-references`."""
+    """Run the command `heli-make-references`."""
     with command("heli-make-references"):
         run(args or parse(Args, "heli-make-references", __doc__))
 
 
 def run(args: Args) -> None:
-    """Solve and store one reference after the other."""
+    """Solve and store the references one after the other."""
     console = Console()
     check_folder("out", args.out)
     for name in SUITE:
-        reference = packaged(name)
+        reference = solve_reference(name)
         path = args.out / f"{name}.npz"
         reference.save(path)
         pitch = np.degrees(reference.x[4])

@@ -1,4 +1,4 @@
-"""`heli-plan`: plan a maneuver, print what it takes, save it and draw it."""
+"""`heli-plan`: plan a maneuver, print its key figures, save and draw it."""
 
 import csv
 import time
@@ -19,7 +19,7 @@ from heli_gym.storage import check_folder
 from heli_gym.trajectory import Maneuver, Trajectory
 
 PAPERS = Maneuver()
-FARTHEST_DEG = 1e7  # some 28,000 turns
+FARTHEST_DEG = 1e7  # about 28,000 turns
 
 
 @dataclass
@@ -31,29 +31,29 @@ class Args:
     duration: float = PAPERS.duration  # s
     start_travel_deg: float = degrees(PAPERS.start[0])  # travel at the start
     start_elevation_deg: float = degrees(PAPERS.start[1])  # elevation at the start
-    rig: str = "paper"  # that flies: paper, quanser, ntnu, or a .toml file
-    pitch_limit_deg: float | None = None  # on both sides; by default the rig's for plans, the paper's 50
-    u_min: float | None = None  # V; by default the rig's for plans, the paper's 1
-    u_max: float | None = None  # V; likewise, 11
-    elevation_min_deg: float | None = (
-        None  # least elevation, positive downwards: the highest that the helicopter may be
-    )
-    elevation_max_deg: float | None = None  # greatest elevation: the lowest that it may be
+    rig: str = "paper"  # rig: paper, quanser, ntnu, or a .toml file
+    pitch_limit_deg: float | None = None  # pitch limit on both sides; by default the rig's, 50 for the paper
+    u_min: float | None = None  # V, least voltage; by default the rig's, 1 for the paper
+    u_max: float | None = None  # V, greatest voltage; by default the rig's, 11 for the paper
+    elevation_min_deg: float | None = None  # least elevation, positive downwards: the upper limit in space
+    elevation_max_deg: float | None = None  # greatest elevation: the lower limit in space
     travel_rate_deg: float | None = None  # greatest travel rate in deg/s, in both directions
     elevation_rate_deg: float | None = None  # greatest elevation rate in deg/s, in both directions
     slew: float | None = None  # V/s, greatest change of a voltage
-    floor: Path | None = None  # .csv file with columns travel_deg, elevation_deg: a line in space to stay above
-    method: Literal["auto", "paper", "spline", "flat", "collocation"] = "auto"  # the last needs the extra ocp
-    objective: Literal["shortest", "effort", "reserve", "smoothest"] | None = None  # by default the method's own
-    fastest: bool = False  # whether to look for the shortest duration, up to the one given
-    reserve: float = 0.0  # share of the windows of voltages and pitch that the fastest plan leaves to the feedback
-    time_limit: float | None = None  # s, for planning
-    out: Path = Path("out/plan.npz")  # where the plan goes; its picture goes beside it
-    figure: bool = True  # whether to draw the picture
+    floor: Path | None = None  # .csv file with columns travel_deg, elevation_deg: a line in space below the flight
+    method: Literal["auto", "paper", "spline", "flat", "collocation"] = "auto"  # collocation requires the extra ocp
+    objective: Literal["shortest", "effort", "reserve", "smoothest"] | None = (
+        None  # objective; by default the method's own
+    )
+    fastest: bool = False  # search for the shortest duration, up to `duration`
+    reserve: float = 0.0  # share of the voltage and pitch windows reserved for the feedback, with fastest
+    time_limit: float | None = None  # s, limit of the planning time
+    out: Path = Path("out/plan.npz")  # the plan; its figure has the same name
+    figure: bool = True  # draw the figure
 
 
 def requested_maneuver(args: Args) -> Maneuver:
-    """The maneuver that the arguments ask for. Raises ValueError for those that make none, by their own names."""
+    """Maneuver of the arguments. Raises ValueError that names the invalid argument."""
     for name in ("travel_deg", "elevation_deg", "start_travel_deg", "start_elevation_deg"):
         if not abs(getattr(args, name)) <= FARTHEST_DEG:
             raise ValueError(
@@ -74,7 +74,7 @@ def requested_maneuver(args: Args) -> Maneuver:
         try:
             Maneuver(point, point, limits=limits, rig=rig)
         except ValueError as error:
-            if not str(error).startswith("start"):  # the limits are to blame
+            if not str(error).startswith("start"):  # the error is in the limits
                 raise
             _, _, reason = str(error).partition(": ")
             raise ValueError(f"{name} = {getattr(args, name)!r}: {reason}") from error
@@ -89,7 +89,7 @@ def requested_maneuver(args: Args) -> Maneuver:
 
 
 def path_limits(args: Args) -> dict[str, float]:
-    """The limits on elevation and rates, in rad and rad/s. Raises ValueError by the arguments' own names."""
+    """Limits on elevation and rates in rad and rad/s, by name. Raises ValueError that names the invalid argument."""
     limits = {}
     for name in ("elevation_min", "elevation_max", "travel_rate", "elevation_rate"):
         value = getattr(args, f"{name}_deg")
@@ -103,7 +103,7 @@ def path_limits(args: Args) -> dict[str, float]:
 
 
 def read_floor(path: Path) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Travel and elevation (N,) in rad of a line in space. Raises ValueError for a file that holds none."""
+    """Travel and elevation (N,) in rad of a line in space. Raises ValueError for a file without these columns."""
     try:
         with open(path, newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
@@ -116,7 +116,7 @@ def read_floor(path: Path) -> tuple[tuple[float, ...], tuple[float, ...]]:
 
 
 def plan_requested(maneuver: Maneuver, args: Args) -> Trajectory:
-    """The plan of the maneuver, in its duration or as fast as possible."""
+    """Plan of a maneuver, in its duration or as fast as possible."""
     if args.fastest:
         return plan_fastest(maneuver, args.method, args.reserve, args.time_limit)
     if args.reserve:
@@ -127,13 +127,13 @@ def plan_requested(maneuver: Maneuver, args: Args) -> Trajectory:
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-plan`."""
+    """Run the command `heli-plan`."""
     with command("heli-plan"):
         run(args or parse(Args, "heli-plan"))
 
 
 def run(args: Args) -> None:
-    """Plan, save, and then print and draw."""
+    """Plan and save, then print and draw."""
     console = Console()
     began = time.perf_counter()
     if args.out.suffix != ".npz" or args.out.is_dir():

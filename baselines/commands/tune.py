@@ -1,13 +1,13 @@
-"""Whether the weights of a policy could be better: `heli-tune --policy lqi` tells.
+"""`heli-tune`: search for better weights of a policy, by differential evolution.
 
-Every policy gets the same budget: the same helicopters, as many candidates, and the same information. What is maximised
-is what a learner would maximise, over fixed draws at the default control period: the environment's mean return, or what
-`heli-train` trains for. The best is then judged on other draws. By default, half of the helicopters are nominal and the
-others are draws of the plant `lab`; all start up to 5 degrees off. (Without the nominal ones, or without the delay that
-`lab` has, the gains that come out may chatter.)
+Every policy has the same budget: the same helicopters, number of candidates and information. The search maximises the
+objective of a learner over fixed draws at the default control period: the environment's mean return, or the objective
+of `heli-train`. The best candidate is then evaluated on other draws. By default, half of the helicopters are nominal
+and half are draws of the plant `lab`; all start up to 5 degrees off. (Without nominal ones, or without the delay of
+`lab`, the resulting gains may chatter.)
 
-With --store, the weights are kept for the policy `NAME@PLANT`: `--policy kalman-lqr --plants lab --objective tracking
---store` makes `kalman-lqr@lab`, which is tuned as `heli-train --plant lab` trains.
+With --store, the weights are stored for the policy `NAME@PLANT`: `--policy kalman-lqr --plants lab --objective tracking
+--store` makes `kalman-lqr@lab`, with the objective of `heli-train --plant lab`.
 """
 
 from dataclasses import astuple, dataclass, fields, replace
@@ -33,10 +33,10 @@ from heli_gym.storage import check_folder
 from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
-NEAR = 0.3  # decades, from the weights in use, standard deviation of half of the first candidates
+NEAR = 0.3  # decades; half of the first candidates are this far (standard deviation) from the weights in use
 START_SPREAD_DEG = 5.0
 
-# What is searched: decimal logarithms. Only ratios of the weights matter, so that on the thrust sum stays as it is.
+# Search ranges of decimal logarithms. Only ratios matter, so the weight of the thrust sum is fixed.
 DECADES: dict[str, tuple[float, float]] = {
     "travel": (-1.0, 4.0),
     "travel_rate": (-1.0, 4.0),
@@ -56,35 +56,35 @@ DECADES: dict[str, tuple[float, float]] = {
 
 @dataclass
 class Args:
-    """Tune the weights of a policy."""
+    """Search for better weights of a policy."""
 
     policy: Literal["feedforward+tvlqr", "lqi", "lag-lqr", "lag-lqi", "kalman-lqr"] = "feedforward+tvlqr"
-    plants: tuple[str, ...] = ("nominal", "lab")  # that candidates fly
+    plants: tuple[str, ...] = ("nominal", "lab")  # plants that candidates fly
     objective: Literal["environment", "tracking"] = (
-        "environment"  # the environment's reward, or travel, elevation, cost
+        "environment"  # the environment's reward, or tracking of travel and elevation, and cost
     )
-    store: bool = False  # whether to keep the weights for this one plant
-    reference: str = "travel-360"  # a packaged reference, or an .npz file
-    rig: str = "paper"  # a name, or a .toml file; stored weights are for this rig
-    force: bool = False  # whether to fly a plan that is for another rig
-    draws: int = 32  # helicopters of each plant that a candidate flies
-    candidates: int = 600  # that are flown, whatever the number of weights
-    population: int = 40  # of these in each generation of differential evolution
-    seed: int = 0  # of the draws and of the search; the judgement's draws follow
+    store: bool = False  # store the weights for the (single) plant
+    reference: str = "travel-360"  # a packaged reference, or an .npz file of heli-plan
+    rig: str = "paper"  # rig of plants and weights: a name, or a .toml file
+    force: bool = False  # fly a plan even if it is for another rig
+    draws: int = 32  # helicopters of each plant per candidate
+    candidates: int = 600  # number of candidates, for any number of weights
+    population: int = 40  # candidates in each generation of differential evolution
+    seed: int = 0  # seed of the draws and of the search; the evaluation's draws follow
 
 
-def searched(weights: Weights) -> list[str]:
-    """The names of the weights that are searched."""
+def search_names(weights: Weights) -> list[str]:
+    """Names of the weights to search."""
     return [field.name for field in fields(weights) if field.name in DECADES]
 
 
 def with_decades(weights: Weights, decades: np.ndarray) -> Weights:
-    """The weights with those that are searched replaced, given their decimal logarithms."""
-    return replace(weights, **dict(zip(searched(weights), (10.0**decades).tolist())))
+    """Weights with the searched ones replaced, given their decimal logarithms."""
+    return replace(weights, **dict(zip(search_names(weights), (10.0**decades).tolist())))
 
 
 def returns(envs: Heli3DOFVectorEnv, policy: Policy, seed: int, objective: str = "environment") -> np.ndarray:
-    """The returns (N,) of one episode of each helicopter, seeded from `seed` on; a crash never pays."""
+    """Returns (N,) of one episode of each helicopter, with seeds from `seed` on; a crash never pays."""
     reference, period = envs.reference_of(0), envs.control_period
     x_ref, _ = control_grid(reference, period)
     _, info = envs.reset(seed=seed)
@@ -102,18 +102,18 @@ def returns(envs: Heli3DOFVectorEnv, policy: Policy, seed: int, objective: str =
             for i in np.flatnonzero(flying & terminated):
                 charge = crash_cost(info["state"][i, 4], envs.voltage_limits, reference.limits)
                 total[i] -= (steps - k - 1) * period * charge
-        flying &= ~(terminated | truncated)  # a helicopter whose flight is over starts another, which does not count
+        flying &= ~(terminated | truncated)  # the next flight of a helicopter does not count
     return total
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-tune`."""
+    """Run the command `heli-tune`."""
     with command("heli-tune"):
         run(args or parse(Args, "heli-tune", __doc__))
 
 
 def check(args: Args) -> None:
-    """Raises ValueError for settings that make no sense, OSError if weights cannot be stored."""
+    """Raise ValueError for invalid settings, OSError if weights cannot be stored."""
     if args.store and len(args.plants) != 1:
         raise ValueError(f"plants = {args.plants}: must be a single one with store")
     if not args.plants:
@@ -128,13 +128,13 @@ def check(args: Args) -> None:
 
 
 def print_weights(weights: Weights, console: Console) -> None:
-    """One line for each."""
+    """Print the weights, one per line."""
     for name, value in zip((field.name for field in fields(weights)), astuple(weights)):
         console.print(f"{name} = {value:.3g}")
 
 
 def run(args: Args) -> None:
-    """Search, then store and print the weights and what they are worth; interrupted, the best so far are printed."""
+    """Search, then store and print the best weights and their returns; an interrupt prints the best so far."""
     check(args)
     console = Console()
     rig = find_rig(args.rig)
@@ -149,7 +149,7 @@ def run(args: Args) -> None:
         policy = make_policy(args.policy, reference, envs[0].control_period, weights=weights)
         return float(np.mean([returns(env, policy, seed, args.objective) for env in envs]))
 
-    names = searched(in_use)
+    names = search_names(in_use)
     low, high = np.array([DECADES[name] for name in names]).T
     population = scale(LatinHypercube(len(names), rng=args.seed).random(args.population), low, high)
     population[0] = [np.log10(getattr(in_use, name)) for name in names]
@@ -171,7 +171,7 @@ def run(args: Args) -> None:
                 list(zip(low, high)),
                 init=population,
                 maxiter=generations,
-                tol=0.0,  # the budget is used up
+                tol=0.0,  # use the whole budget
                 rng=args.seed,
                 polish=False,
                 callback=note_progress,

@@ -11,7 +11,7 @@ from scipy.io import loadmat
 
 from heli_gym import Maneuver, PowerCurve, Rig, TableCurve, ThrustMap, find_rig
 from heli_gym.baselines import make_policy, plan, riccati_gains
-from heli_gym.baselines.commands.export import Args, compiled, exported, main
+from heli_gym.baselines.commands.export import Args, export_files, load_controller, main
 from heli_gym.baselines.control.c_source import c_source
 from heli_gym.cli import CommandError
 from heli_gym.env import Heli3DOFEnv, find_reference
@@ -36,7 +36,7 @@ class CPolicy:
     def __init__(self, policy, rig, precision, folder):
         for name, text in c_source(policy, rig, "a policy", precision).items():
             (folder / name).write_text(text)
-        self.loaded, self.number = compiled(folder, precision)
+        self.loaded, self.number = load_controller(folder, precision)
 
     def reset(self, rng):
         self.loaded.heli_reset()
@@ -118,7 +118,7 @@ def test_a_measurement_that_is_no_number_gives_the_voltage_nearest_to_zero(tmp_p
 
 @needs_cc
 def test_the_header_is_c_plus_plus_too(tmp_path):
-    for name, data in exported(Args("travel-360")).items():
+    for name, data in export_files(Args("travel-360")).items():
         (tmp_path / name).write_bytes(data)
     (tmp_path / "main.cpp").write_text(
         '#include "heli_controller.h"\nint main() { double y[6] = {0}, u[2]; heli_reset(); heli_step(0.0, y, u); }\n'
@@ -133,7 +133,7 @@ def test_the_header_is_c_plus_plus_too(tmp_path):
 
 
 def test_the_table_has_reference_feedforward_and_gains():
-    text = exported(Args("travel-360", format="csv"))["heli_controller.csv"].decode()
+    text = export_files(Args("travel-360", format="csv"))["heli_controller.csv"].decode()
     header, *rows = csv.reader(text.splitlines())
     values = np.array(rows, dtype=float)
     t = values[:, header.index("t_s")]
@@ -147,7 +147,7 @@ def test_the_table_has_reference_feedforward_and_gains():
 
 
 def test_the_mat_file_has_structures_with_time(tmp_path):
-    (tmp_path / "c.mat").write_bytes(exported(Args("travel-360", format="mat"))["heli_controller.mat"])
+    (tmp_path / "c.mat").write_bytes(export_files(Args("travel-360", format="mat"))["heli_controller.mat"])
     data = loadmat(tmp_path / "c.mat", squeeze_me=False)
     t = PERIOD * np.arange(501)
     for name, width in (("x_ref", 6), ("u_ff", 2), ("v_ff", 2)):
@@ -164,7 +164,7 @@ def test_the_mat_file_has_structures_with_time(tmp_path):
 
 @pytest.mark.parametrize("name", ["feedforward+tvlqr", "lag-lqi"])
 def test_the_document_says_order_signs_and_units(name):
-    text = exported(Args("travel-360", name, "csv"))["README.md"].decode()
+    text = export_files(Args("travel-360", name, "csv"))["README.md"].decode()
     for words in ("positive **down**", "rad/s", "front, back", "0 to 12 V", "thrust sum"):
         assert words in text
     if name == "lag-lqi":
@@ -197,7 +197,7 @@ def test_what_cannot_be_exported_is_refused_in_a_line_and_leaves_nothing(values,
 
 
 def test_another_rig_is_exported_for_by_force():
-    files = exported(Args("travel-360", "feedforward+tvlqr", rig="ntnu", force=True))
+    files = export_files(Args("travel-360", "feedforward+tvlqr", rig="ntnu", force=True))
     assert b"ntnu" in files["heli_controller.c"]
 
 

@@ -14,8 +14,8 @@ from heli_gym.baselines.commands.make_references import (
     Args,
     ground_elevation,
     main,
-    packaged,
-    resampled,
+    resample,
+    solve_reference,
 )
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.env import REFERENCES, Heli3DOFEnv, find_reference
@@ -54,7 +54,7 @@ def test_all_references_together_are_small():
 
 @pytest.mark.parametrize("name", SUITE)
 def test_what_is_stored_is_what_the_command_makes(name):
-    made, stored = packaged(name), find_reference(name)
+    made, stored = solve_reference(name), find_reference(name)
     assert_allclose(stored.t, made.t, atol=1e-12)
     # The paper's maneuver is near the shortest that (38) can do, where rounding in the solver moves the solution most.
     assert_allclose(stored.x, made.x, atol=5e-4)  # rad and rad/s
@@ -139,7 +139,7 @@ def test_a_fall_that_no_thrust_can_speed_up_is_refused():
 def test_resampled_voltages_err_on_both_sides_and_keep_their_limits():
     t = np.linspace(0.0, 2.0, 2001)
     curved = Trajectory(t, np.zeros((6, len(t))), np.stack((1.0 + t**2, np.minimum(5.0 * t + 1.0, 11.0))))
-    coarse = resampled(curved, 0.1)
+    coarse = resample(curved, 0.1)
     assert_allclose(np.diff(coarse.t), 0.1)
     miss = coarse(t)[1] - curved.u
     assert np.abs(miss[0].mean()) < 2e-4  # V; the chords of 1 + t² are 1.7e-3 V above it on average
@@ -149,7 +149,7 @@ def test_resampled_voltages_err_on_both_sides_and_keep_their_limits():
 
 def test_the_command_writes_them_all_and_prints_a_line_for_each(tmp_path, capsys, monkeypatch):
     made = Trajectory(np.array([0.0, 1.0]), np.zeros((6, 2)), np.full((2, 2), 7.893))
-    monkeypatch.setattr("heli_gym.baselines.commands.make_references.packaged", lambda name: made)
+    monkeypatch.setattr("heli_gym.baselines.commands.make_references.solve_reference", lambda name: made)
     main(Args(out=tmp_path))
     assert {path.name for path in tmp_path.iterdir()} == {f"{name}.npz" for name in SUITE}
     assert_array_equal(Trajectory.load(tmp_path / "take-off.npz").x, made.x)

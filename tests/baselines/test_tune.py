@@ -25,7 +25,7 @@ def test_every_policy_with_weights_can_be_tuned():
 @pytest.mark.parametrize("name", WEIGHTS)
 def test_all_weights_but_that_on_the_thrust_sum_are_searched_and_those_in_use_are_within(name):
     weights = WEIGHTS[name]
-    names = tune.searched(weights)
+    names = tune.search_names(weights)
     assert set(vars(weights)) - set(names) == {"thrust_sum"}
     for weight in names:
         low, high = tune.DECADES[weight]
@@ -35,7 +35,7 @@ def test_all_weights_but_that_on_the_thrust_sum_are_searched_and_those_in_use_ar
 @pytest.mark.parametrize("name", WEIGHTS)
 def test_weights_are_what_their_decades_say(name):
     weights = WEIGHTS[name]
-    decades = np.log10([getattr(weights, weight) for weight in tune.searched(weights)])
+    decades = np.log10([getattr(weights, weight) for weight in tune.search_names(weights)])
     assert_allclose(astuple(tune.with_decades(weights, decades)), astuple(weights))
 
 
