@@ -73,9 +73,8 @@ class Args:
     """Fly policies along a reference: once from its start at the paper's sampling time of 1 ms (unless the plant is
     random), and in many episodes from perturbed starts. Every policy flies the same episodes."""
 
-    policies: tuple[str, ...] = (
-        COMPARED  # policies: names, files (.json, .zip of Stable-Baselines3, .onnx), module:function
-    )
+    policies: tuple[str, ...] = COMPARED
+    """policies: names, files (.json, .zip of Stable-Baselines3, .onnx), module:function"""
     reference: str = "travel-360"  # a packaged reference, or an .npz file of heli-plan
     rig: str = "paper"  # nominal rig of controllers and plants: a name, or a .toml file
     force: bool = False  # fly a plan even if it is for another rig

@@ -38,9 +38,8 @@ COMPILE = ("cc", "-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-sh
 class Args:
     """Write a plan and its controller: reference, feedforward and gains as CSV or .mat, or the controller as C."""
 
-    plan: Annotated[
-        str, tyro.conf.arg(name="PLAN"), tyro.conf.Positional
-    ]  # .npz file of heli-plan, or a packaged reference
+    plan: Annotated[str, tyro.conf.arg(name="PLAN"), tyro.conf.Positional]
+    """.npz file of heli-plan, or a packaged reference"""
     policy: str = "feedforward+tvlqr"  # controller; format c also supports learned ones
     format: Literal["csv", "mat", "c"] = "c"
     out: Path = Path("out/export")  # folder

@@ -82,9 +82,8 @@ CAPTION = (
 class Args:
     """Fly policies on common draws of plants, and write tables with intervals and ranks."""
 
-    policies: Annotated[tuple[str, ...], tyro.conf.arg(aliases=["--policy"])] = (
-        COMPARED  # policies: names, files, module:function
-    )
+    policies: Annotated[tuple[str, ...], tyro.conf.arg(aliases=["--policy"])] = COMPARED
+    """policies: names, files (.json, .zip of Stable-Baselines3, .onnx), module:function"""
     plants: tuple[str, ...] = tuple(PLANTS)
     outside: bool = True  # also fly each plant with disturbances outside the design family
     references: tuple[str, ...] = ("travel-360",)  # maneuvers: packaged references, or .npz files

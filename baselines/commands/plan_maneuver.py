@@ -42,9 +42,7 @@ class Args:
     slew: float | None = None  # V/s, greatest change of a voltage
     floor: Path | None = None  # .csv file with columns travel_deg, elevation_deg: a line in space below the flight
     method: Literal["auto", "paper", "spline", "flat", "collocation"] = "auto"  # collocation requires the extra ocp
-    objective: Literal["shortest", "effort", "reserve", "smoothest"] | None = (
-        None  # objective; by default the method's own
-    )
+    objective: Literal["shortest", "effort", "reserve", "smoothest"] | None = None  # by default the method's own
     fastest: bool = False  # search for the shortest duration, up to `duration`
     reserve: float = 0.0  # share of the voltage and pitch windows reserved for the feedback, with fastest
     time_limit: float | None = None  # s, limit of the planning time

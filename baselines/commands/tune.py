@@ -60,9 +60,8 @@ class Args:
 
     policy: Literal["feedforward+tvlqr", "lqi", "lag-lqr", "lag-lqi", "kalman-lqr"] = "feedforward+tvlqr"
     plants: tuple[str, ...] = ("nominal", "lab")  # plants that candidates fly
-    objective: Literal["environment", "tracking"] = (
-        "environment"  # the environment's reward, or tracking of travel and elevation, and cost
-    )
+    objective: Literal["environment", "tracking"] = "environment"
+    """the environment's reward, or tracking of travel and elevation, and cost"""
     store: bool = False  # store the weights for the (single) plant
     reference: str = "travel-360"  # a packaged reference, or an .npz file of heli-plan
     rig: str = "paper"  # rig of plants and weights: a name, or a .toml file
