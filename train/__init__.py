@@ -1,1 +1,1 @@
-"""Agents that learn corrections on top of the baselines; imports `heli_gym` and `baselines`, but for its commands."""
+"""Agents that learn corrections of the baselines; imports `heli_gym` and `baselines` except its commands."""

@@ -1,8 +1,8 @@
-"""Analytic policy gradient: a recurrent correction learns by gradients through the simulator.
+"""Analytic policy gradient: training of a recurrent correction by gradients through the simulator.
 
-Each update flies whole maneuvers of `LANES` drawn helicopters and follows the exact gradient of their mean loss
-(Freeman et al., "Brax", 2021, call this APG) with Adam. The interface is that of Stable-Baselines3's algorithms; files
-are safetensors and JSON, and nothing is unpickled.
+Each update flies whole maneuvers of `LANES` random helicopters and takes an Adam step along the exact gradient of their
+mean loss (APG in Freeman et al., "Brax", 2021). The interface is that of Stable-Baselines3's algorithms. Files are
+safetensors and JSON, read without unpickling.
 """
 
 import math
@@ -23,13 +23,13 @@ from heli_gym.train.checkpoint import read_checkpoint, write_state
 from heli_gym.train.flight_gradient import LANES, SUBSTEPS, Batch, Outcome, Rollout, Settings, Task, Weights
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
-GROUPS = ("error", "voltages", "preview")  # features that its network is shown
-AHEAD = (0.0, 0.2, 0.4, 0.8, 1.6)  # s
-SEEN = (*range(8), 10, 11)  # of these features, those that depend on the flight; the others depend on time alone
+GROUPS = ("error", "voltages", "preview")  # feature groups of its network
+AHEAD = (0.0, 0.2, 0.4, 0.8, 1.6)  # s, previews of the reference
+FLIGHT_FEATURES = (*range(8), 10, 11)  # indices; the other features depend on time alone
 
 
 class Actor(torch.nn.Module):
-    """A GRU cell and a linear layer, from features (N, F) to actions (N, 2) in [-1, 1]."""
+    """GRU cell and linear layer: maps features (N, F) to actions (N, 2) in [-1, 1]."""
 
     def __init__(self, features: int, hidden: int) -> None:
         super().__init__()
@@ -37,22 +37,22 @@ class Actor(torch.nn.Module):
         self.head = torch.nn.Linear(hidden, 2)
         torch.nn.init.zeros_(self.head.bias)
         with torch.no_grad():
-            self.head.weight.mul_(0.01)  # the first flights are those of the base policy
+            self.head.weight.mul_(0.01)  # the first flights are close to the base policy's
 
     def forward(self, features: torch.Tensor, hidden: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
-        """Actions (N, 2) and the next hidden state (N, H)."""
+        """Actions (N, 2) and next hidden state (N, H) for features (N, F) and hidden state (N, H)."""
         hidden = self.cell(features, hidden)
         return torch.tanh(self.head(hidden)), hidden
 
 
 def network_of(actor: Actor) -> RecurrentNetwork:
-    """The actor for numpy."""
+    """Copy of the actor's network in numpy."""
     *cell, weight, bias = (tensor.detach().numpy().astype(float) for tensor in actor.parameters())
     return RecurrentNetwork(**dict(zip(CELL, cell)), head=Network((weight,), (bias,), tanh_output=True))
 
 
 def set_network(actor: Actor, network: Network | RecurrentNetwork) -> None:
-    """Copy a network into the actor. Raises ValueError if it has another shape."""
+    """Copy a network into the actor. Raises ValueError for other shapes."""
     cell, head = actor.cell, actor.head
     arrays: list[np.ndarray] = []
     if isinstance(network, RecurrentNetwork):
@@ -68,13 +68,13 @@ def set_network(actor: Actor, network: Network | RecurrentNetwork) -> None:
 
 
 class FlightLoss(torch.autograd.Function):
-    """The mean loss of a batch of flights, as a function of the actor's parameters."""
+    """Mean loss of a batch of flights as a function of the actor's parameters."""
 
     @staticmethod
     def forward(
         ctx: Any, rollout: Rollout, batch: Batch, outcomes: list[Outcome], *tensors: torch.Tensor
     ) -> torch.Tensor:
-        """Flies the batch, and appends its outcome."""
+        """Fly the batch, append its outcome to `outcomes` and return the loss."""
         outcome = rollout.forward(weights_of(tensors), batch)
         outcomes.append(outcome)
         ctx.rollout, ctx.outcome = rollout, outcome
@@ -82,30 +82,30 @@ class FlightLoss(torch.autograd.Function):
 
     @staticmethod
     def backward(ctx: Any, *grad_outputs: Any) -> Any:
-        """The gradient by the tensors."""
+        """Gradient with respect to the tensors."""
         g = ctx.rollout.backward(ctx.outcome)
         weight_input = np.empty((len(g.input_bias), g.seen.shape[1] + g.preview.shape[1]), np.float32)
-        weight_input[:, SEEN], weight_input[:, others(weight_input.shape[1])] = g.seen, g.preview
+        weight_input[:, FLIGHT_FEATURES], weight_input[:, time_features(weight_input.shape[1])] = g.seen, g.preview
         arrays = weight_input, g.hidden, g.input_bias, g.hidden_bias, g.output, g.output_bias
         return None, None, None, *(grad_outputs[0] * torch.from_numpy(array) for array in arrays)
 
 
-def others(features: int) -> list[int]:
-    """The features that depend on time alone."""
-    return [k for k in range(features) if k not in SEEN]
+def time_features(features: int) -> list[int]:
+    """Indices of the features that depend on time alone."""
+    return [k for k in range(features) if k not in FLIGHT_FEATURES]
 
 
 def weights_of(tensors: Any) -> Weights:
-    """The actor's parameters for the compiled flights."""
+    """Parameters of the actor for the compiled flights."""
     weight_input, hidden, input_bias, hidden_bias, output, output_bias = (t.detach().numpy() for t in tensors)
-    seen, preview = weight_input[:, SEEN], weight_input[:, others(weight_input.shape[1])]
+    seen, preview = weight_input[:, FLIGHT_FEATURES], weight_input[:, time_features(weight_input.shape[1])]
     return Weights(np.ascontiguousarray(seen), preview, hidden, input_bias, hidden_bias, output, output_bias)
 
 
 def task_of(policy: ResidualPolicy, envs: Heli3DOFVectorEnv, cost_weight: float, elevation_weight: float) -> Task:
-    """What all flights of these helicopters share, under this policy's base and law.
+    """Common task of all flights of the helicopters, with the policy's base and law.
 
-    Raises ValueError for what the compiled flights leave out.
+    Raises ValueError for a base, law or plant that the compiled flights do not support.
     """
     base = policy.base
     if not isinstance(base, TrackingPolicy) or policy.law != "saturated":
@@ -137,16 +137,16 @@ def task_of(policy: ResidualPolicy, envs: Heli3DOFVectorEnv, cost_weight: float,
         np.ascontiguousarray(base.x.T),
         np.ascontiguousarray(base.v.T[:T]),
         np.ascontiguousarray(base.gains.transpose(2, 0, 1)[:T]),
-        np.ascontiguousarray(features[others(len(features))].T.astype(np.float32)),
+        np.ascontiguousarray(features[time_features(len(features))].T.astype(np.float32)),
         np.array(settings),
         int(shared.delay),
     )
 
 
 def batch_of(envs: Heli3DOFVectorEnv, seed: int) -> Batch:
-    """The starts and draws of the helicopters after a reset with this seed."""
+    """Starts and draws of the helicopters after a reset with a seed."""
     simulation = envs.simulation
-    for j in range(envs.num_envs):  # as `envs.reset` does, without its observations and infos
+    for j in range(envs.num_envs):  # like `envs.reset`, without observations and infos
         simulation.draw(j, np_random(seed + j)[0])
     simulation.reset(np.arange(envs.num_envs))
     rows = simulation.rows
@@ -165,17 +165,17 @@ class APG:
     """Analytic policy gradient with the interface of Stable-Baselines3's algorithms.
 
     Args:
-        policy: residual policy with the base, scale and law to fly with; its feature groups must be `GROUPS`.
+        policy: residual policy that defines base, scale and law; its feature groups must be `GROUPS`.
         envs: `LANES` helicopters from which each update draws.
-        learning_rate: of Adam.
-        hidden: states of the GRU cell.
-        max_grad_norm: to which the gradient is clipped.
+        learning_rate: learning rate of Adam.
+        hidden: number of states of the GRU cell.
+        max_grad_norm: greatest norm of the clipped gradient.
         cost_weight: of the cost in the loss, in degrees of travel's error per second.
-        elevation_weight: of elevation's error in the loss, travel's having one.
-        seed: of the network's first weights, and of the helicopters.
+        elevation_weight: weight of the elevation error in the loss; the travel error has weight 1.
+        seed: of the initial weights and of the helicopters.
 
     Raises:
-        ValueError: for a policy, a plant or a number of helicopters that the compiled flights leave out.
+        ValueError: for a policy, plant or number of helicopters that the compiled flights do not support.
     """
 
     def __init__(
@@ -204,7 +204,7 @@ class APG:
         torch.manual_seed(seed)
         self.envs, self.residual, self.seed, self.max_grad_norm = envs, policy, seed, max_grad_norm
         self.task = task_of(policy, envs, cost_weight, elevation_weight)
-        self.policy = Actor(len(SEEN) + self.task.preview.shape[1], hidden)
+        self.policy = Actor(len(FLIGHT_FEATURES) + self.task.preview.shape[1], hidden)
         self.optimizer = torch.optim.Adam(self.policy.parameters(), lr=learning_rate)
         self.rollout = Rollout(self.task, hidden)
         self.device = torch.device("cpu")
@@ -212,14 +212,14 @@ class APG:
         self.num_timesteps = self._n_updates = 0
         self.next_seed = seed * 10**6
         self.logger: Any = None
-        self.outcomes: list[Outcome] = []  # of the last `learn`
+        self.outcomes: list[Outcome] = []  # of the last call of `learn`
 
     def set_logger(self, logger: Any) -> None:
-        """Log to this logger of Stable-Baselines3."""
+        """Set the Stable-Baselines3 logger."""
         self.logger = logger
 
     def get_env(self) -> Heli3DOFVectorEnv:
-        """The helicopters."""
+        """Helicopters of the training."""
         return self.envs
 
     def learn(
@@ -230,7 +230,7 @@ class APG:
         reset_num_timesteps: bool = True,
         **ignored: Any,
     ) -> "APG":
-        """Update until this number of control periods has been flown, of all helicopters together."""
+        """Update until all helicopters together have flown a number of control periods."""
         if reset_num_timesteps:
             self.num_timesteps = 0
         end = self.num_timesteps + total_timesteps
@@ -249,8 +249,8 @@ class APG:
         return self
 
     def update(self) -> float:
-        """Fly one batch and follow its gradient, whose norm comes back."""
-        with threadpool_limits(1):  # the matrices are small: more threads only make them slower
+        """Fly one batch, take an optimiser step and return the norm of the gradient."""
+        with threadpool_limits(1):  # more threads slow down small matrices
             return self._update()
 
     def _update(self) -> float:
@@ -268,7 +268,7 @@ class APG:
         return norm
 
     def log(self, norm: float) -> None:
-        """Record the outcome of the last update."""
+        """Log the outcome of the last update."""
         outcome = self.outcomes[-1]
         for name in Outcome._fields:
             self.logger.record(f"train/{name}", float(getattr(outcome, name).mean()))
@@ -282,7 +282,7 @@ class APG:
         episode_start: np.ndarray | None = None,
         deterministic: bool = True,
     ) -> tuple[np.ndarray, tuple[np.ndarray, ...]]:
-        """Actions (N, 2) for features (N, F), and the next hidden state (N, H) in a tuple; or of one, without N."""
+        """Actions (N, 2) for features (N, F), and next hidden state (N, H) in a tuple; without N for one helicopter."""
         batch = np.atleast_2d(observation)
         hidden = (
             np.zeros((len(batch), self.policy.cell.hidden_size)) if state is None else np.atleast_2d(state[0]).copy()
@@ -301,7 +301,7 @@ class APG:
 
     @classmethod
     def load(cls, path: str | Path, policy: ResidualPolicy, envs: Heli3DOFVectorEnv) -> "APG":
-        """The agent that `save` wrote. Raises ValueError if the file is missing or damaged."""
+        """Load an agent that `save` wrote. Raises ValueError for a missing or damaged file."""
         state = read_checkpoint(Path(path).with_suffix(".safetensors"))
         parameters = {name: state.pop(name) for name in ("policy", "policy.optimizer")}
         steps = state.pop("steps")
@@ -311,10 +311,10 @@ class APG:
         return agent
 
     def get_parameters(self) -> dict[str, dict]:
-        """The states of network and optimiser."""
+        """States of network and optimiser."""
         return {"policy": self.policy.state_dict(), "policy.optimizer": self.optimizer.state_dict()}
 
     def set_parameters(self, parameters: dict[str, dict]) -> None:
-        """The inverse of `get_parameters`."""
+        """Restore the states from `get_parameters`."""
         self.policy.load_state_dict(parameters["policy"])
         self.optimizer.load_state_dict(parameters["policy.optimizer"])

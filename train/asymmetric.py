@@ -1,7 +1,7 @@
-"""An actor that sees what a controller sees, and a critic that also sees the plant.
+"""Asymmetric actor-critic: the actor reads a controller's signals, the critic also reads the plant's draw.
 
-The critic only serves training, where the plant's draw is known (Pinto et al., "Asymmetric actor critic for image-based
-robot learning", 2018): what it explains is no longer noise in the actor's gradient.
+The critic is used only in training, where the draw is known (Pinto et al., "Asymmetric actor critic for image-based
+robot learning", 2018). A better value estimate reduces the noise in the actor's gradient.
 """
 
 from typing import Any
@@ -12,7 +12,7 @@ from stable_baselines3.common.torch_layers import MlpExtractor
 
 
 class AsymmetricNetworks(MlpExtractor):
-    """The hidden layers; those of the actor read the first `n_actor_features` features only."""
+    """Hidden layers of actor and critic; the actor reads only the first `n_actor_features` features."""
 
     def __init__(self, features: int, n_actor_features: int, *args: Any, **kwargs: Any) -> None:
         super().__init__(features, *args, **kwargs)
@@ -20,12 +20,12 @@ class AsymmetricNetworks(MlpExtractor):
         self.policy_net = MlpExtractor(n_actor_features, *args, **kwargs).policy_net
 
     def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
-        """From features (N, features) to the last hidden layer."""
+        """Last hidden layer of the actor for features (N, F)."""
         return self.policy_net(features[:, : self.n_actor_features])
 
 
 class AsymmetricPolicy(ActorCriticPolicy):
-    """A policy for PPO, whose actor reads the first `n_actor_features` features of an observation only."""
+    """PPO policy whose actor reads only the first `n_actor_features` features of an observation."""
 
     def __init__(self, *args: Any, n_actor_features: int, **kwargs: Any) -> None:
         self.n_actor_features = n_actor_features

@@ -1,7 +1,7 @@
-"""What a training run leaves behind, so that it can go on after it was interrupted at any moment.
+"""Checkpoints of a training run, which can continue after an interrupt at any moment.
 
-A checkpoint is one safetensors file: tensors, and in its metadata a tree that says where they belong. It is written
-atomically beside a file with its SHA-256; the last two are kept.
+A checkpoint is one safetensors file: tensors, and in its metadata a tree with their positions. It is written
+atomically, with its SHA-256 in a second file. A run has at most two checkpoints.
 """
 
 import json
@@ -20,7 +20,7 @@ FORMAT = "{:06d}"
 
 
 def split(value: Any, tensors: dict[str, torch.Tensor]) -> Any:
-    """The value as plain JSON, its tensors having been moved to `tensors`."""
+    """Convert a value to plain JSON, and move its tensors to `tensors`."""
     if isinstance(value, torch.Tensor):
         name = str(len(tensors))
         tensors[name] = value.detach().clone().contiguous()
@@ -33,7 +33,7 @@ def split(value: Any, tensors: dict[str, torch.Tensor]) -> Any:
 
 
 def join(tree: Any, tensors: dict[str, torch.Tensor]) -> Any:
-    """The inverse of `split`; tuples come back as lists."""
+    """Invert `split`, except that tuples become lists."""
     if "tensor" in tree:
         return tensors[tree["tensor"]]
     if "items" in tree:
@@ -42,7 +42,7 @@ def join(tree: Any, tensors: dict[str, torch.Tensor]) -> Any:
 
 
 def write_state(path: Path, state: dict[str, Any]) -> None:
-    """Writes path.safetensors, and its SHA-256 into path.sha256, each atomically."""
+    """Write path.safetensors, and its SHA-256 to path.sha256, each atomically."""
     tensors: dict[str, torch.Tensor] = {}
     tree = split(state, tensors)
     data = save(tensors, metadata={"tree": json.dumps(tree)})
@@ -53,7 +53,7 @@ def write_state(path: Path, state: dict[str, Any]) -> None:
 
 
 def save_checkpoint(folder: Path, number: int, state: dict[str, Any]) -> None:
-    """Writes the state of a run, and removes all checkpoints but the last two."""
+    """Write the state of a run, and remove all checkpoints except the last two."""
     write_state(folder / FORMAT.format(number), state)
     for old in sorted(folder.glob("*.safetensors"))[:-KEPT]:
         old.unlink()
@@ -61,7 +61,7 @@ def save_checkpoint(folder: Path, number: int, state: dict[str, Any]) -> None:
 
 
 def read_checkpoint(path: Path) -> dict[str, Any]:
-    """The state that `write_state` wrote. Raises ValueError if the file is damaged."""
+    """Read a state that `write_state` wrote. Raises ValueError for a damaged file."""
     try:
         data, digest = path.read_bytes(), path.with_suffix(".sha256").read_text().strip()
     except OSError as error:
@@ -73,9 +73,9 @@ def read_checkpoint(path: Path) -> dict[str, Any]:
 
 
 def last_checkpoint(folder: Path) -> dict[str, Any] | None:
-    """The last state that can be read, or None without any checkpoint; a damaged one is named and skipped.
+    """Latest valid checkpoint, or None without a checkpoint; prints the name of each damaged one and skips it.
 
-    Raises ValueError if there are checkpoints and all are damaged.
+    Raises ValueError if all checkpoints are damaged.
     """
     paths = sorted(folder.glob("*.safetensors"), reverse=True)
     for path in paths:

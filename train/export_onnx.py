@@ -1,8 +1,8 @@
 """`heli-export-onnx --policy best.json --out best.onnx`: a learned network for other runtimes.
 
-The graph is the network alone, in single precision: from features (N, F) to actions (N, 2) and, of a recurrent network,
-from hidden (N, H) to next_hidden (N, H), zeros at the start of a flight. The features and the use of the actions are
-those of `heli_gym.baselines.control.residual.ResidualPolicy`.
+The graph is the network alone, in single precision. It maps features (N, F) to actions (N, 2); a recurrent network also
+maps hidden (N, H), zero at the start of a flight, to next_hidden (N, H). Features and use of the actions are those of
+`heli_gym.baselines.control.residual.ResidualPolicy`.
 """
 
 from dataclasses import dataclass
@@ -17,19 +17,19 @@ from heli_gym.baselines.control.residual import LEARNED, Network, RecurrentNetwo
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.storage import atomic_write, check_folder
 
-OPSET, IR_VERSION = 17, 8  # of 2022, which runtimes have learned to read
+OPSET, IR_VERSION = 17, 8  # of 2022, which current runtimes support
 
 
 @dataclass
 class Args:
-    """Export a learned policy's network."""
+    """Export the network of a learned policy as ONNX."""
 
     policy: Path = LEARNED / "lab.json"
     out: Path = Path("out/residual.onnx")
 
 
 def onnx_model(network: Network | RecurrentNetwork) -> onnx.ModelProto:
-    """The network as an ONNX graph."""
+    """ONNX model of a network."""
     head = network.head if isinstance(network, RecurrentNetwork) else network
     tensors: list[onnx.TensorProto] = []
     nodes: list[onnx.NodeProto] = []
@@ -83,13 +83,13 @@ def onnx_model(network: Network | RecurrentNetwork) -> onnx.ModelProto:
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-export-onnx`."""
+    """Run the command `heli-export-onnx`."""
     with command("heli-export-onnx"):
         run(args or parse(Args, "heli-export-onnx", __doc__))
 
 
 def run(args: Args) -> None:
-    """Read, export, write."""
+    """Read the network and write the ONNX file."""
     if args.out.is_dir():
         raise ValueError(f"out = {str(args.out)!r}: must be a file")
     check_folder("out", args.out.parent)

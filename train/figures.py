@@ -1,6 +1,6 @@
-"""`python -m heli_gym.train.figures`: the figures of the manual's page on learning, into docs/.
+"""`python -m heli_gym.train.figures`: draw the figures of the manual's page on learning into docs/.
 
-Learning curves of stored runs, and one flight that shows how a learned correction acts.
+The figures are learning curves of stored runs and one flight with and without a learned correction.
 """
 
 import json
@@ -27,7 +27,7 @@ def learning_curves(runs: Mapping[str, Sequence[Path]]) -> Figure:
     """Errors on the validation helicopters against control periods and CPU time.
 
     Args:
-        runs: folders of `heli-train`, by label; several are stages, each begun with the network of the one before.
+        runs: folders of `heli-train`, by label; several folders are stages, each initialised with the previous network.
     """
     figure, axes = plt.subplots(1, 2, figsize=(10.0, 3.6), sharey=True, layout="constrained")
     for number, (label, folders) in enumerate(runs.items()):
@@ -57,19 +57,19 @@ def learning_curves(runs: Mapping[str, Sequence[Path]]) -> Figure:
 
 
 def correction_in_flight(name: str, plant: str, seed: int, seconds: float = 4.0) -> Figure:
-    """Errors and voltages at the start of a flight, with and without the correction of the policy of this name."""
+    """Errors and voltages at the start of a flight, with and without the correction of a named policy."""
     env = Heli3DOFEnv(plant, start_spread_deg=START_SPREAD_DEG)
     policy = make_policy(name, env.reference)
     assert isinstance(policy, ResidualPolicy)
     base: list[np.ndarray] = []
     observe = policy.observe
 
-    def watched(t: float, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def recording_observe(t: float, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         u, features = observe(t, measurement)
         base.append(np.clip(u, *policy.voltage_limits))
         return u, features
 
-    policy.observe = watched  # type: ignore[method-assign,assignment]
+    policy.observe = recording_observe  # type: ignore[method-assign,assignment]
     corrected = fly(env, policy, seed=seed)
     alone = fly(env, policy.base, seed=seed)
     reference = env.reference(corrected.t)[0]

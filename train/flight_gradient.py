@@ -1,9 +1,9 @@
-"""Gradient of flights with respect to a recurrent network's weights: backpropagation through simulator and network.
+"""Gradients of flights with respect to a recurrent network's weights, by backpropagation through the simulator.
 
-A batch is `LANES` flights of plants like `lab` and `rigid`: equation (3) or the full rigid body with viscous friction,
-rotor lag, thrust loss, delay and encoders, flown by a feedforward with state feedback, (51), that a GRU corrects.
-Compiled kernels fly one control period and carry its adjoint backwards; the products of the network's matrices are
-numpy's. Quantisation is passed straight through: its derivative counts as one.
+A batch is `LANES` flights of plants like `lab` and `rigid`: equation (3) or the full rigid body, with viscous friction,
+rotor lag, thrust loss, delay and encoders. A feedforward with state feedback (51) flies them, and a GRU corrects it.
+Compiled kernels integrate one control period and its adjoint; numpy computes the network's matrix products. The
+derivative of quantisation is taken as 1 (straight-through estimator).
 """
 
 from collections.abc import Callable
@@ -30,54 +30,54 @@ from heli_gym.rigid_body import (
 from heli_gym.simulation import fast_math
 from heli_gym.task import TOLERANCE
 
-LANES = 128  # flights of a batch
-SUBSTEPS = 2  # of a control period
-SAFE_PITCH = 1.1  # rad, from which on the pitch is penalised; the flight ends at the stop
-PITCH_PENALTY = 20.0  # 1/(s rad²), of the square of the pitch beyond that
-LEAST_VOLTAGE = 0.5  # V, down to which the slope of the inverse of (2), infinite at zero, is its own
-N_SEEN = 10  # features that depend on the flight: tracking error (6), base voltages (2), last correction (2)
+LANES = 128  # flights in a batch
+SUBSTEPS = 2  # integration steps in a control period
+SAFE_PITCH = 1.1  # rad, pitch from which on a penalty applies; the flight ends at the stop
+PITCH_PENALTY = 20.0  # 1/(s rad²), penalty of the squared excess pitch
+LEAST_VOLTAGE = 0.5  # V; below it, the slope of the inverse of (2), infinite at zero, stays constant
+N_FLIGHT_FEATURES = 10  # features that depend on the flight: tracking error (6), base voltages (2), last correction (2)
 
-# Rows of the numbers of a helicopter: k_plus with the thrust loss, of the rotor lag in half a substep, of the encoders;
-# then those of the equations of motion, `COEFFICIENTS` of (3) or `RIGID` of the rigid body, with viscous friction last.
+# Rows of a helicopter's numbers: k_plus with thrust loss, decay by the rotor lag in half a substep, encoder counts;
+# then the coefficients of motion, `COEFFICIENTS` of (3) or `RIGID` of the rigid body, with viscous friction last.
 K_PLUS, LAG_DECAY, COUNTS, NUMBERS = 0, 1, 2, 5
 COEFFICIENTS, RIGID = 9, 14
 
 
 class Task(NamedTuple):
-    """What all flights share. Arrays over the T control periods."""
+    """Common data of all flights, in arrays over T control periods."""
 
     x_ref: np.ndarray  # (T + 1, 6)
     v_ref: np.ndarray  # (T, 2), N
     gains: np.ndarray  # (T, 2, 6)
-    preview: np.ndarray  # (T, P), single precision: the features that depend on time alone
+    preview: np.ndarray  # (T, P), single precision: features that depend on time alone
     settings: np.ndarray  # (len(Settings._fields),)
     delay: int  # control periods
 
 
 class Settings(NamedTuple):
-    """Numbers of a task. The kernels get them as an array."""
+    """Settings of a task; the kernels receive them as an array."""
 
     period: float  # s
     u_low: float  # V, the amplifier's limits
     u_high: float
-    pitch_limit: float  # rad
+    pitch_limit: float  # rad, end of a flight
     u_min: float  # V and rad, the reference's limits (9)
     u_max: float
     pitch_min: float
     pitch_max: float
-    rate_decay: float  # of the rate filter
-    scale: float  # V, the greatest correction
+    rate_decay: float  # of the rate filter, per period
+    scale: float  # V, greatest correction
     k_plus: float  # N/V², nominal
     k_minus: float
-    cost_weight: float  # deg/s, of the cost in the loss
+    cost_weight: float  # deg/s, weight of the cost in the loss
     elevation_weight: float
 
 
 class Weights(NamedTuple):
-    """Of the network: a GRU cell, its gates in torch's order, and a linear layer. Single precision."""
+    """Weights of the network in single precision: a GRU cell, with gates in torch's order, and a linear layer."""
 
-    seen: np.ndarray  # (3H, N_SEEN), columns of the input matrix
-    preview: np.ndarray  # (3H, P), the others
+    seen: np.ndarray  # (3H, N_FLIGHT_FEATURES), columns of the input matrix for flight features
+    preview: np.ndarray  # (3H, P), columns for time features
     hidden: np.ndarray  # (3H, H)
     input_bias: np.ndarray  # (3H,)
     hidden_bias: np.ndarray  # (3H,)
@@ -86,16 +86,16 @@ class Weights(NamedTuple):
 
 
 class Batch(NamedTuple):
-    """Starts and plants of the flights. Arrays (..., LANES)."""
+    """Starts and plants of the flights, in arrays (..., LANES)."""
 
     body: np.ndarray  # (NUMBERS + COEFFICIENTS, LANES), or (NUMBERS + RIGID, LANES)
     x: np.ndarray  # (6, LANES)
     measured: np.ndarray  # (6, LANES)
-    u: np.ndarray  # (2, LANES), V, at the motors
+    u: np.ndarray  # (2, LANES), V, motor voltages
 
 
 class Outcome(NamedTuple):
-    """What the flights came to. Arrays (LANES,)."""
+    """Results of the flights, in arrays (LANES,)."""
 
     travel_deg: np.ndarray  # RMS error
     elevation_deg: np.ndarray
@@ -104,21 +104,21 @@ class Outcome(NamedTuple):
     crashed: np.ndarray  # 1 or 0
 
 
-# One control period, helicopter by helicopter. Compiled below.
+# One control period, one helicopter after the other; compiled below.
 
 
 def clip(value: Any, low: Any, high: Any) -> Any:
-    """The value within [low, high]."""
+    """Clip a value to [low, high]."""
     return min(max(value, low), high)
 
 
 def inside(value: Any, low: Any, high: Any) -> Any:
-    """The derivative of `clip`."""
+    """Derivative of `clip`: 1 inside, 0 outside."""
     return 1.0 if low < value < high else 0.0
 
 
 def signed_root(f: Any, s: Settings) -> Any:
-    """`model.voltage` without a branch."""
+    """Voltage in V for a thrust f in N by (2), without numpy: `model.voltage` for the compiler."""
     root = (abs(f) / (s.k_plus if f >= 0.0 else -s.k_minus)) ** 0.5
     return root if f >= 0.0 else -root
 
@@ -126,7 +126,7 @@ def signed_root(f: Any, s: Settings) -> Any:
 def observe(
     measured: Any, x_ref: Any, v_ref: Any, gains: Any, settings: Any, last: Any, base: Any, features: Any
 ) -> None:
-    """Voltages of the base controller, (51), before they saturate, and the features that depend on the flight."""
+    """Write the unsaturated base voltages (2, LANES), by (51), and the flight features (N_FLIGHT_FEATURES, LANES)."""
     s = Settings(*settings_of(settings))
     middle, half = 0.5 * (s.u_low + s.u_high), 0.5 * (s.u_high - s.u_low)
     for i in range(LANES):
@@ -147,7 +147,7 @@ def observe_adjoint(
     x_ref: Any, gains: Any, settings: Any, measured: Any, base: Any, d_features: Any, d_base: Any, d_measured: Any,
     d_last: Any,
 ) -> None:  # fmt: skip
-    """Adds to d_measured; sets d_last."""
+    """Adjoint of `observe`: adds to d_measured and sets d_last."""
     s = Settings(*settings_of(settings))
     middle, half = 0.5 * (s.u_low + s.u_high), 0.5 * (s.u_high - s.u_low)
     for i in range(LANES):
@@ -172,11 +172,11 @@ def observe_adjoint(
         d_last[0, i], d_last[1, i] = d_features[8, i], d_features[9, i]
 
 
-# Equations of motion and the products of their Jacobians, by (3) or for the rigid body: `kernels` binds these names.
+# Equations of motion and their vector-Jacobian products, by (3) or for the rigid body; `kernels` binds these names.
 
 
 def parameters_of(body: Any, i: int) -> Any:
-    """Parameters of (3) of the helicopter i; those of its thrust map stand in rows of their own."""
+    """Parameters of (3) of helicopter i; its thrust map has separate rows."""
     k = NUMBERS
     return HelicopterParameters(
         0.0, 0.0, body[k, i], body[k + 1, i], body[k + 2, i], body[k + 3, i], body[k + 4, i], body[k + 5, i],
@@ -185,12 +185,12 @@ def parameters_of(body: Any, i: int) -> Any:
 
 
 def derivative(x: Any, v: Any, p: Any) -> Any:
-    """(3)."""
+    """State derivative (6,) by (3)."""
     return dynamics(x, v, p, sin, cos)
 
 
 def derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
-    """The product of d (6) with the Jacobians of (3): for x (6) and v (2)."""
+    """Products of d (6,) with the Jacobians of (3), with respect to x (6,) and v (2,)."""
     s2, c2, s3, c3 = sin(x[2]), cos(x[2]), sin(x[4]), cos(x[4])
     d_x = (
         0.0,
@@ -204,7 +204,7 @@ def derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
 
 
 def rigid_parameters_of(body: Any, i: int) -> Any:
-    """Rigid body and viscous friction (3) of the helicopter i."""
+    """Rigid body and viscous friction (3,) of helicopter i."""
     k = NUMBERS
     rig = RigidBodyParameters(
         body[k, i], body[k + 1, i], body[k + 2, i], body[k + 3, i], body[k + 4, i], body[k + 5, i], body[k + 6, i],
@@ -214,14 +214,14 @@ def rigid_parameters_of(body: Any, i: int) -> Any:
 
 
 def rigid_derivative(x: Any, v: Any, p: Any) -> Any:
-    """The full model with viscous friction."""
+    """State derivative (6,) of the full rigid body with viscous friction."""
     rig, c = p
     dq1, ddq1, dq2, ddq2, dq3, ddq3 = rigid_dynamics(x, v, rig, sin, cos)
     return dq1, ddq1 - c[0] * dq1, dq2, ddq2 - c[1] * dq2, dq3, ddq3 - c[2] * dq3
 
 
 def power(angles: Any, w: Any, v: Any, a: Any, rig: Any, test: Any) -> Any:
-    """Torques less the inertial ones at accelerations a (3) of (q1, eps, phi), times `test` (3)."""
+    """Product of `test` (3,) with torques minus inertial torques at accelerations a (3,) of (q1, eps, phi)."""
     ce, se, cf, sf = angles
     D11, D22, D33, D12, D13, D23 = mass_matrix(ce, se, cf, sf, rig)
     c1, c2, c3 = coriolis(ce, se, cf, sf, w[0], w[1], w[2], rig)
@@ -235,10 +235,11 @@ def power(angles: Any, w: Any, v: Any, a: Any, rig: Any, test: Any) -> Any:
 
 
 def rigid_derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
-    """The product of d (6) with the Jacobians of the full model.
+    """Products of d (6,) with the Jacobians of the full model, with respect to x (6,) and v (2,).
 
-    From D a = f: the accelerations' product with d is that of D a - f with D^-1 d. By angles, a complex step; the
-    Coriolis torques are quadratic in the rates, so that their central difference is exact; the rest is linear.
+    D a = f gives the product of d with the accelerations' Jacobian from D a - f and D^-1 d. Derivatives with respect to
+    angles are complex steps. Coriolis torques are quadratic in the rates, so their central difference is exact; the
+    other terms are linear.
     """
     rig, c = p
     ce, se, cf, sf = cos(x[2]), -sin(x[2]), cos(x[4]), sin(x[4])
@@ -270,23 +271,23 @@ def rigid_derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
     )
 
 
-STEP = 1e-30j  # of angles
+STEP = 1e-30j  # rad, complex step of the angles
 
 
 def quadratic_slope(ce: Any, se: Any, cf: Any, sf: Any, w: Any, e: Any, rig: Any, test: Any) -> Any:
-    """The derivative of minus the Coriolis torques along e (3), times `test` (3)."""
+    """Product of `test` (3,) with the derivative of the negative Coriolis torques along e (3,)."""
     u1, u2, u3 = coriolis(ce, se, cf, sf, w[0] + e[0], w[1] + e[1], w[2] + e[2], rig)
     l1, l2, l3 = coriolis(ce, se, cf, sf, w[0] - e[0], w[1] - e[1], w[2] - e[2], rig)
     return -0.5 * (test[0] * (u1 - l1) + test[1] * (u2 - l2) + test[2] * (u3 - l3))
 
 
 def scaled(h: Any, d: Any) -> Any:
-    """h d, component by component (6)."""
+    """Product h d (6,) of a number and a tuple."""
     return h * d[0], h * d[1], h * d[2], h * d[3], h * d[4], h * d[5]
 
 
 def rk4_adjoint(x: Any, inputs: Any, h: Any, p: Any, d: Any) -> Any:
-    """The adjoint of `rk4_step`: d (6) at its end carried to x (6) and to each of the three inputs (2)."""
+    """Adjoint of `rk4_step`: derivatives at x (6,) and at the three inputs (2,), from d (6,) at the end."""
     start, middle, end = inputs
     d1 = derivative(x, start, p)
     x2 = axpy(x, h / 2.0, d1)
@@ -303,22 +304,22 @@ def rk4_adjoint(x: Any, inputs: Any, h: Any, p: Any, d: Any) -> Any:
 
 
 def six(values: Any, i: int) -> Any:
-    """The column i of an array (6, LANES)."""
+    """Column i of an array (6, LANES) as a tuple."""
     return values[0, i], values[1, i], values[2, i], values[3, i], values[4, i], values[5, i]
 
 
 def rotor_inputs(front: Any, back: Any, k: Any) -> Any:
-    """v (2) of rotors that turn forwards at these voltages."""
+    """Inputs v (2,) of forward rotors at voltages `front` and `back`."""
     return virtual_input((k * front * front, k * back * back))
 
 
 def excess_slope(value: Any, low: Any, high: Any) -> Any:
-    """The derivative of `task.excess`."""
+    """Derivative of `task.excess`."""
     return (1.0 if value > high else (-1.0 if value < low else 0.0)) / (high - low)
 
 
 def excess(value: Any, low: Any, high: Any) -> Any:
-    """`task.excess`."""
+    """Scalar form of `task.excess` for the compiler."""
     return max(max(value - high, low - value), 0.0) / (high - low)
 
 
@@ -326,7 +327,7 @@ def fly(
     settings: Any, body: Any, x: Any, rotors: Any, motors: Any, measured: Any, base: Any, action: Any, alive: Any,
     x_ref: Any, u: Any, next_x: Any, next_rotors: Any, next_measured: Any, next_alive: Any, sums: Any,
 ) -> None:  # fmt: skip
-    """A control period: the voltages asked for, the next state and measurement; adds to the sums of `outcome`."""
+    """Fly one control period: write commanded voltages, next states and measurements; add to the sums of `Outcome`."""
     s = Settings(*settings_of(settings))
     h = s.period / SUBSTEPS
     for i in range(LANES):
@@ -370,22 +371,22 @@ def fly_adjoint(
     settings: Any, body: Any, x: Any, rotors: Any, motors: Any, alive: Any, x_ref: Any, next_x: Any, slopes: Any,
     d_x: Any, d_rotors: Any, d_measured: Any, d_motors: Any,
 ) -> None:  # fmt: skip
-    """The adjoint of `fly`: d_x, d_rotors and d_measured of the period's end become those of its start.
+    """Adjoint of `fly`: carry d_x, d_rotors and d_measured from the end of the period to its start, in place.
 
-    Adds to d_motors. `slopes` (3, LANES): derivatives of the loss by half the sums of squares of travel and elevation
-    errors, and by cost and penalty.
+    Adds to d_motors. `slopes` (3, LANES) are the derivatives of the loss with respect to half the sums of squared
+    travel and elevation errors, and to cost and penalty.
     """
     s = Settings(*settings_of(settings))
     h = s.period / SUBSTEPS
     for i in range(LANES):
         on = alive[i]
-        # the loss at the end of the period
+        # loss at the end of the period
         q3 = next_x[4, i]
         over = max(abs(q3) - SAFE_PITCH, 0.0)
         weight = s.period * slopes[2, i]
         on_pitch = s.cost_weight * excess_slope(q3, s.pitch_min, s.pitch_max)
         on_pitch += 2.0 * PITCH_PENALTY * (over if q3 > 0.0 else -over)
-        # the rate filter
+        # rate filter
         gain = (1.0 - s.rate_decay) / s.period
         d1 = d_measured[0, i] + gain * d_measured[1, i]
         d2 = d_measured[2, i] + gain * d_measured[3, i]
@@ -416,7 +417,7 @@ def fly_adjoint(
         second = rk4_step(derivative, first, inputs1, h, p)
         d, v3, v4, v5 = rk4_adjoint(second, inputs2, h, p, d)
         d, v1, v2, v3_too = rk4_adjoint(first, inputs1, h, p, d)
-        # from the inputs to the rotors' voltages, the last ones first
+        # from the inputs to the rotor voltages, backwards in time
         d_f = d_rotors[0, i] * on + 2.0 * k * l_f * (v5[0] + v5[1])
         d_b = d_rotors[1, i] * on + 2.0 * k * l_b * (v5[0] - v5[1])
         to_f, to_b = (1.0 - decay) * d_f, (1.0 - decay) * d_b
@@ -438,7 +439,7 @@ def fly_adjoint(
 
 def command_adjoint(settings: Any, base: Any, action: Any, alive: Any, u: Any, weight: Any, d_u: Any, d_action: Any,
                     d_base: Any) -> None:  # fmt: skip
-    """Sets d_action and d_base from the derivative d_u of the loss by the voltages asked for, cost excepted."""
+    """Write d_action and d_base from d_u, the loss's derivative by the commanded voltages; the cost is added here."""
     s = Settings(*settings_of(settings))
     for motor in range(2):
         for i in range(LANES):
@@ -451,15 +452,15 @@ def command_adjoint(settings: Any, base: Any, action: Any, alive: Any, u: Any, w
 
 
 def settings_of(a: Any) -> Any:
-    """The numbers of `Settings` out of their array."""
+    """Unpack the array of `Settings` to a tuple."""
     return a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12], a[13]
 
 
-# The GRU cell, element by element.
+# Elementwise part of the GRU cell.
 
 
 def tanh(x: Any) -> Any:
-    """tanh in single precision, to 4e-7: the rational minimax approximation of Eigen, free of branches."""
+    """Hyperbolic tangent in single precision, accurate to 4e-7: branch-free rational minimax approximation of Eigen."""
     x = min(max(x, -9.0), 9.0)
     y = x * x
     p = -2.76076847742355e-16 * y + 2.00018790482477e-13
@@ -470,14 +471,14 @@ def tanh(x: Any) -> Any:
 
 
 def sigmoid(x: Any) -> Any:
-    """1 / (1 + exp(-x))."""
+    """Logistic function 1 / (1 + exp(-x))."""
     return 0.5 + 0.5 * tanh(0.5 * x)
 
 
 def gru(from_input: Any, from_hidden: Any, bias: Any, hidden_bias: Any, hidden: Any, gates: Any, result: Any) -> None:
-    """The next hidden state (H, LANES), and the gates (4H, LANES): reset, update, new, and the hidden part of new.
+    """Write the next hidden state (H, LANES) and the gates (4H, LANES): reset, update, new, hidden part of new.
 
-    From the products (3H, LANES) of features and hidden state with their matrices.
+    The inputs are the products (3H, LANES) of the matrices with features and hidden state.
     """
     n = len(hidden)
     for j in range(n):
@@ -493,7 +494,7 @@ def gru(from_input: Any, from_hidden: Any, bias: Any, hidden_bias: Any, hidden: 
 
 
 def gru_adjoint(gates: Any, hidden: Any, d_result: Any, d_input: Any, d_hidden_product: Any) -> None:
-    """The derivatives by both products of `gru`; d_result becomes the part of that by the hidden state without them."""
+    """Adjoint of `gru`: write the derivatives by both products; leave the direct derivative by `hidden` in d_result."""
     n = len(hidden)
     for j in range(n):
         for i in range(LANES):
@@ -509,7 +510,7 @@ def gru_adjoint(gates: Any, hidden: Any, d_result: Any, d_input: Any, d_hidden_p
 
 
 class Kernels(NamedTuple):
-    """The compiled functions."""
+    """Compiled functions of a flight and its adjoint."""
 
     observe: Callable
     observe_adjoint: Callable
@@ -522,7 +523,7 @@ class Kernels(NamedTuple):
 
 @cache
 def kernels(dtype: type, rigid: bool) -> Kernels:
-    """The flight in double precision, by (3) or as a rigid body; the network in the precision of this dtype."""
+    """Compile the flight in double precision, by (3) or as a rigid body, and the network in a dtype."""
     names: dict[str, Callable] = {"sin": fast_math.sine, "cos": fast_math.cosine}
     if rigid:
         names |= {
@@ -536,12 +537,12 @@ def kernels(dtype: type, rigid: bool) -> Kernels:
 
 
 class Rollout:
-    """Memory for flights of a batch, forwards and backwards.
+    """Flights of a batch, forwards and backwards, with their working arrays.
 
     Args:
-        task: what all flights share.
-        hidden: H, of the network.
-        dtype: of the network's numbers.
+        task: common data of all flights.
+        hidden: number H of hidden states.
+        dtype: precision of the network.
     """
 
     def __init__(self, task: Task, hidden: int, dtype: type = np.float32) -> None:
@@ -561,17 +562,17 @@ class Rollout:
             double(T + 1, 6),
             double(T + 1),
         )
-        self.u = double(T + task.delay, 2)  # asked for in the period t: u[t + delay]
-        self.base, self.features, self.action = double(T, 2), single(T, N_SEEN), single(T + 1, 2)
+        self.u = double(T + task.delay, 2)  # command in period t: u[t + delay]
+        self.base, self.features, self.action = double(T, 2), single(T, N_FLIGHT_FEATURES), single(T + 1, 2)
         self.h, self.gates = single(T + 1, n), single(T, 4 * n)
         self.from_hidden, self.from_input, self.output = single(3 * n), single(3 * n), single(2)
 
     def kernels(self, batch: Batch) -> Kernels:
-        """The compiled functions for these helicopters."""
+        """Compiled functions for the helicopters of a batch."""
         return kernels(self.dtype, len(batch.body) == NUMBERS + RIGID)
 
     def forward(self, weights: Weights, batch: Batch) -> Outcome:
-        """Flies."""
+        """Fly the batch."""
         k, task, s = self.kernels(batch), self.task, self.task.settings
         T, delay = len(task.v_ref), task.delay
         self.batch, self.weights = batch, weights
@@ -601,13 +602,13 @@ class Rollout:
         return Outcome(travel, elevation, sums[2], sums[3], 1.0 - self.alive[T])
 
     def loss(self, outcome: Outcome) -> float:
-        """Mean over the flights: quadratic-mean errors in degrees, weighted cost, and penalty."""
+        """Mean over the flights of RMS errors in degrees, weighted cost and penalty."""
         s = self.settings
         each = outcome.travel_deg + s.elevation_weight * outcome.elevation_deg + s.cost_weight * outcome.cost
         return float((each + outcome.penalty).mean())
 
     def backward(self, outcome: Outcome) -> Weights:
-        """The gradient of `loss` of the flights that were flown last."""
+        """Gradient of `loss` for the flights of the last `forward`."""
         task, s, w, batch = self.task, self.task.settings, self.weights, self.batch
         k = self.kernels(batch)
         T, n, delay = len(task.v_ref), self.hidden, task.delay
@@ -626,7 +627,7 @@ class Rollout:
         def zeros(*shape: int) -> np.ndarray:
             return np.zeros(shape, self.dtype)
 
-        d_h, d_features, d_bias = zeros(n, LANES), zeros(N_SEEN, LANES), zeros(T, 3 * n)
+        d_h, d_features, d_bias = zeros(n, LANES), zeros(N_FLIGHT_FEATURES, LANES), zeros(T, 3 * n)
         d_input, d_product = zeros(3 * n, LANES), zeros(3 * n, LANES)
         g = Weights(*map(np.zeros_like, w))
         hidden_t, seen_t, output_t = (np.ascontiguousarray(m.T) for m in (w.hidden, w.seen, w.output))

@@ -1,8 +1,8 @@
-"""The floor: what could be flown by someone who knew the draw of each plant beforehand.
+"""Oracle: lower bound of the tracking error, with knowledge of each plant's draw.
 
-For each drawn helicopter, the voltages that minimise the errors of travel and elevation over the whole maneuver, from
-its own start and through its own rotors, friction, delay and body: direct multiple shooting, solved by CasADi and IPOPT
-(extra `ocp`). No controller can know this; the voltages are then flown open loop in the environment, sensors aside.
+For each drawn helicopter, direct multiple shooting (CasADi and IPOPT, extra `ocp`) minimises the errors of travel and
+elevation over the whole maneuver, from the actual start and with the actual rotors, friction, delay and body. No
+controller has this knowledge. The environment then flies the optimal voltages in open loop.
 """
 
 from dataclasses import dataclass, replace
@@ -22,32 +22,32 @@ from heli_gym.thrust_map import TableCurve
 from heli_gym.trajectory import Trajectory
 
 DEGREE = np.pi / 180.0
-EFFORT = 1e-3  # per V², of the deviation from the nominal voltages, against one per degree² of error
-MARGIN = 5.0 * DEGREE  # rad, that the pitch keeps from where the flight ends
+EFFORT = 1e-3  # per V² of deviation from the nominal voltages; an error costs 1 per degree²
+MARGIN = 5.0 * DEGREE  # rad, distance of the pitch from the end of a flight
 
 
 class NoOptimum(RuntimeError):
-    """The solver found no best voltages for a drawn plant."""
+    """Failure of the solver for a drawn plant."""
 
 
 @dataclass(eq=False)
-class Sequence:
-    """A policy that asks for given voltages (2, K), whatever it measures."""
+class OpenLoopVoltages:
+    """Open-loop policy with voltages (2, K) in V."""
 
     u: np.ndarray
     control_period: float
 
     def reset(self, rng: np.random.Generator) -> None:
-        """Nothing to do: this policy remembers nothing."""
+        """Do nothing: there is no memory to clear."""
 
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
         return self.u[:, step_index(t, self.control_period, self.u.shape[1] - 1)]
 
 
 def thrust_curves(plant: Plant) -> tuple:
-    """Thrust in N over the speed of the front and of the back rotor, for CasADi's numbers too.
+    """Thrust functions in N of front and back rotor over the rotor speed in V, also for CasADi's symbols.
 
-    Raises ValueError for tables, which CasADi's numbers cannot be looked up in.
+    Raises ValueError for tables, which do not accept symbols.
     """
     curves = rotor_curves(plant.thrust_map)
     if any(isinstance(curve, TableCurve) for curve in curves):
@@ -56,18 +56,17 @@ def thrust_curves(plant: Plant) -> tuple:
 
 
 class Oracle:
-    """The best voltages for drawn plants of one kind: with rotors that lag and viscous friction, rigid or not.
+    """Optimal voltages for draws of a plant with rotor lag and viscous friction, by (3) or as a rigid body.
 
     Args:
-        plant: one of the kind; its draws may differ in lag, thrust loss, friction and rig, not in the delay.
-        reference: that is to be followed.
-        control_period: s, for which voltages are held.
-        voltage_limits: V.
-        pitch_limit: rad.
+        plant: plant of the draws, which may differ in lag, thrust loss, friction and rig, but not in delay.
+        reference: trajectory to track.
+        control_period: s, hold of the voltages.
+        voltage_limits: (min, max) in V.
+        pitch_limit: rad, end of a flight.
 
     Raises:
-        ValueError: for a plant without rotor lag, or with Coulomb friction, a slew limit or disturbances, which this
-            problem leaves out.
+        ValueError: for a plant without rotor lag, or with Coulomb friction, a slew limit or disturbances.
         ImportError: if CasADi is missing.
     """
 
@@ -133,12 +132,12 @@ class Oracle:
         self.steps = steps
 
     def numbers(self, plant: Plant) -> list[float]:
-        """What is drawn."""
+        """Parameters of a draw for the solver."""
         rig = list(plant.rig) if self.is_rigid else []
         return [plant.rotors.lag, plant.rotors.thrust_loss, *plant.friction.viscous, *rig]
 
     def predicted(self, x: tuple, w: tuple, u: tuple, h: float, numbers: list, ca: Any) -> tuple[tuple, tuple]:
-        """State and rotor speeds after h seconds: the environment's own step, in CasADi's numbers."""
+        """State and rotor speeds after h seconds: the environment's step, in CasADi's symbols."""
         lag, loss, *rest = numbers
         parameters = self.parameters
 
@@ -158,10 +157,10 @@ class Oracle:
         )
         return rk4_step(derivative, x, inputs, h), turned_to(h)
 
-    def policy(self, plant: Plant, x: np.ndarray, u: np.ndarray, control_period: float) -> Sequence:
-        """The best voltages for a drawn plant that starts in the state x (6,), its rotors turning at u (2,) V.
+    def policy(self, plant: Plant, x: np.ndarray, u: np.ndarray, control_period: float) -> OpenLoopVoltages:
+        """Policy with the optimal voltages for a drawn plant, from a state x (6,) with rotors at u (2,) in V.
 
-        Raises NoOptimum if the solver finds none.
+        Raises NoOptimum if the solver fails.
         """
         guess = np.concatenate(
             (np.vstack((self.x_ref, self.u_ref[:, [*range(self.steps), -1]])).ravel("F"), self.u_ref.ravel("F"))
@@ -170,4 +169,5 @@ class Oracle:
         found = self.found = self.solver(x0=guess, p=given, lbx=self.lower, ubx=self.upper, lbg=0.0, ubg=0.0)
         if not self.solver.stats()["success"]:
             raise NoOptimum(f"no optimal voltages for {plant}: {self.solver.stats()['return_status']}")
-        return Sequence(np.array(found["x"])[8 * (self.steps + 1) :].reshape(2, self.steps, order="F"), control_period)
+        u = np.array(found["x"])[8 * (self.steps + 1) :].reshape(2, self.steps, order="F")
+        return OpenLoopVoltages(u, control_period)

@@ -1,9 +1,9 @@
-"""`heli-results`: learned and classical policies on the same held-out helicopters, with intervals.
+"""`heli-results`: learned and classical policies on common held-out helicopters, with intervals.
 
-Every policy flies the same draws of a plant, which neither training nor validation has used. Of each metric the table
-gives the interquartile mean over draws and training seeds (Agarwal et al., "Deep reinforcement learning at the edge of
-the statistical precipice", 2021) and its 95 % interval, by a bootstrap that resamples draws and seeds; then, paired by
-draw, how much smaller it is than that of the paper's controller, and how probably it is smaller.
+Every policy flies the same draws of a plant, which training and validation have not used. The table has the
+interquartile mean of each metric over draws and training seeds (Agarwal et al., "Deep reinforcement learning at the
+edge of the statistical precipice", 2021) with a 95 % interval from a bootstrap over draws and seeds. It also has, paired
+by draw, the relative improvement over the paper's controller and its probability.
 """
 
 import json
@@ -33,7 +33,7 @@ from heli_gym.vector_env import Heli3DOFVectorEnv
 
 START_SPREAD_DEG = 5.0
 METRICS = ("travel", "elevation", "pitch", "cost", "return", "crashed", "success")
-SHOWN = ("travel", "elevation", "cost")  # those that are compared
+SHOWN = ("travel", "elevation", "cost")  # metrics of the comparison
 
 
 @dataclass
@@ -41,7 +41,7 @@ class Args:
     """Compare policies on held-out draws of a plant."""
 
     plant: str = "lab"
-    methods: tuple[Path, ...] = ()  # folders of what heli-train left, with a folder for each seed in them
+    methods: tuple[Path, ...] = ()  # folders of heli-train, with one folder per seed
     policies: tuple[str, ...] = (
         "feedforward+tvlqr",
         "feedforward+tvlqr@PLANT",
@@ -50,47 +50,47 @@ class Args:
         "lag-lqi@PLANT",
         "kalman-lqr",
         "kalman-lqr@PLANT",
-    )  # @PLANT: with the weights that are tuned on the plant, if there are any
-    against: str = "feedforward+tvlqr@PLANT"  # which of them the others are compared with
+    )  # names; @PLANT: with weights tuned for the plant, if stored
+    against: str = "feedforward+tvlqr@PLANT"  # policy to compare the others with
     reference: str = "travel-360"
-    rig: str = "paper"  # a name, or a .toml file
-    force: bool = False  # whether to fly a plan that is for another rig
-    episodes: int = 100  # draws
-    seed: int = HELD_OUT_SEED  # of the first; the others count on
-    oracle: int = 0  # of these draws, the first so many, for which the floor is found too: 3 s each on lab, 40 on rigid
+    rig: str = "paper"  # rig: a name, or a .toml file
+    force: bool = False  # fly a plan even if it is for another rig
+    episodes: int = 100  # number of draws
+    seed: int = HELD_OUT_SEED  # seed of the first draw, then counting up
+    oracle: int = 0  # number of draws for the oracle, too: 3 s each on lab, 40 s on rigid
     out: Path = Path("out/results")
 
 
 def policies(args: Args) -> tuple[str, ...]:
-    """The names of the classical policies."""
+    """Names of the classical policies."""
     return tuple(dict.fromkeys(tuned_for(args.plant, name, args.rig) for name in args.policies))
 
 
 def against(args: Args) -> str:
-    """The name of the one that the others are compared with."""
+    """Name of the policy to compare the others with."""
     return tuned_for(args.plant, args.against, args.rig)
 
 
 def tuned_for(plant: str, name: str, rig: str = "paper") -> str:
-    """The name with the plant in it, or without, where no weights are stored for that plant."""
+    """Policy name with @PLANT replaced by the plant, or removed if no weights are stored for it."""
     return name.replace("@PLANT", f"@{plant}" if weights_file(plant, find_rig(rig)).is_file() else "")
 
 
 def policy_metrics(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> np.ndarray:
-    """The metrics (len(METRICS), draws) of a policy, in degrees, s and shares."""
+    """Metrics (len(METRICS), draws) of a policy, in degrees, s and shares."""
     reference = envs.reference_of(0)
     flights = fly_many(envs, policy, seed)
     return np.array([metrics_of(flight, reference, envs) for flight in flights]).T
 
 
 def metrics_of(flight: Trajectory, reference: Trajectory, env: Heli3DOFEnv | Heli3DOFVectorEnv) -> tuple[float, ...]:
-    """METRICS of one flight."""
+    """Values of METRICS for one flight."""
     m = flight_metrics(flight, reference, env.voltage_limits, env.pitch_limit)
     return *m.rms_error_deg, m.cost, m.episode_return, float(m.crashed), float(m.success)
 
 
 def oracle_metrics(env: Heli3DOFEnv, oracle: Oracle, args: Args, console: Console) -> np.ndarray:
-    """The metrics (len(METRICS), args.oracle) of the oracle on the first draws; NaN where it finds no optimum."""
+    """Metrics (len(METRICS), args.oracle) of the oracle on the first draws; NaN where the solver fails."""
     found = np.full((len(METRICS), args.oracle), np.nan)
     for k in track(range(args.oracle), "the floor", console=console):
         _, info = env.reset(seed=args.seed + k)
@@ -104,10 +104,9 @@ def oracle_metrics(env: Heli3DOFEnv, oracle: Oracle, args: Args, console: Consol
 
 
 def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
-    """The metrics (len(METRICS), seeds, draws) of each policy; NaN on draws for which the oracle finds no optimum.
+    """Metrics (len(METRICS), seeds, draws) of each policy; NaN where the oracle's solver fails.
 
-    Raises ValueError for settings that make no sense, and ImportError if the oracle is asked for and CasADi is missing,
-    both before anything is flown.
+    Raises ValueError for invalid settings and ImportError for an oracle without CasADi, before the first flight.
     """
     check_folder("out", args.out)
     if args.seed < 0:
@@ -128,7 +127,7 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         if method.name in names:
             raise ValueError(f"methods: two are called {method.name!r}")
         names[method.name] = [str(path) for path in found]
-    # All that can be refused is made before the first flight.
+    # Make all policies and environments first, so that errors appear before the first flight.
     reference = envs.reference_of(0)
     jobs = [
         (label, make_policy(name, reference, envs.control_period)) for label, group in names.items() for name in group
@@ -146,18 +145,18 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
     return {label: np.stack(group, axis=1) for label, group in results.items()}
 
 
-def flown(values: np.ndarray) -> np.ndarray:
-    """The draws (n,), of those of the metrics (len(METRICS), seeds, draws), that were flown."""
+def valid_draws(values: np.ndarray) -> np.ndarray:
+    """Indices (n,) of the draws with finite metrics (len(METRICS), seeds, draws)."""
     return np.flatnonzero(np.isfinite(values).all(axis=(0, 1)))
 
 
-def ranked(values: np.ndarray, name: str) -> np.ndarray:
-    """One of the metrics (len(METRICS), seeds, draws), crashed flights behind all others: (seeds, draws)."""
+def rank_values(values: np.ndarray, name: str) -> np.ndarray:
+    """Values (seeds, draws) of a metric in (len(METRICS), seeds, draws), with crashed flights behind all others."""
     return rank_crashes_last(values[METRICS.index(name)], values[METRICS.index("crashed")])
 
 
 def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[str, dict]]:
-    """The table, and the same as plain values."""
+    """Table for the terminal, and its values by policy."""
     table = Table(title=f"{args.reference} on {args.episodes} held-out draws of {args.plant}: interquartile means")
     table.add_column("policy (seeds x draws)")
     for name in ("RMS travel (deg)", "RMS elevation (deg)", "cost (s)"):
@@ -168,13 +167,13 @@ def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[st
     table.add_column("success", justify="right")
     rows: dict[str, dict] = {}
     for label, all_values in results.items():
-        draws = flown(all_values)
+        draws = valid_draws(all_values)
         values = all_values[:, :, draws]
         others = results[against(args)][:, :, draws]
-        row: dict = {name: mean_with_interval(ranked(values, name)) for name in SHOWN}
+        row: dict = {name: mean_with_interval(rank_values(values, name)) for name in SHOWN}
         for name in SHOWN[:2]:
             crashes = values[METRICS.index("crashed")], others[METRICS.index("crashed")]
-            row[f"{name} improvement"] = improvement(ranked(values, name), ranked(others, name), *crashes)
+            row[f"{name} improvement"] = improvement(rank_values(values, name), rank_values(others, name), *crashes)
         row["crashes"], row["success"] = (float(values[METRICS.index(name)].mean()) for name in ("crashed", "success"))
         row["seeds"], row["draws"] = values.shape[1:]
         rows[label] = row
@@ -197,12 +196,12 @@ def table_of(args: Args, results: dict[str, np.ndarray]) -> tuple[Table, dict[st
 
 
 def draw_profiles(path: Path, args: Args, results: dict[str, np.ndarray]) -> None:
-    """Which share of the flights has at most which error."""
+    """Draw performance profiles: the share of flights with an error below each value."""
     figure, axes = plt.subplots(1, 2, figsize=(10.5, 3.8), layout="constrained", sharey=True)
     colours = plt.get_cmap("turbo")(np.linspace(0.0, 0.95, len(results)))
     for axis, name in zip(axes, SHOWN[:2]):
         for colour, (label, values) in zip(colours, results.items()):
-            errors = np.sort(values[METRICS.index(name)][:, flown(values)].ravel())
+            errors = np.sort(values[METRICS.index(name)][:, valid_draws(values)].ravel())
             style = {"lw": 2.5} if label == "residual" else {"lw": 1.2}
             shares = np.arange(1, len(errors) + 1) / len(errors)
             axis.step(errors, shares, where="post", label=label, color=colour, **style)
@@ -218,13 +217,13 @@ def draw_profiles(path: Path, args: Args, results: dict[str, np.ndarray]) -> Non
 
 
 def main() -> None:
-    """The command `heli-results`."""
+    """Run the command `heli-results`."""
     with command("heli-results"):
         run(parse(Args, "heli-results", __doc__))
 
 
 def run(args: Args) -> None:
-    """Fly, leave the table in the folder, print it, draw the profiles."""
+    """Fly, write and print the table, draw the profiles."""
     console = Console()
     path = args.out / f"{args.plant}.json"
     announce_replaced("heli-results", path)

@@ -1,6 +1,6 @@
-"""`heli-sweep STUDY.toml`: many training runs, each as `heli-train` would make it, by processes of this machine.
+"""`heli-sweep STUDY.toml`: many training runs of `heli-train` in parallel processes on this machine.
 
-A study names settings of `heli-train` under `[settings]`, and lists of values under `[grid]`: every combination is a
+A study has settings of `heli-train` under `[settings]`, and lists of values under `[grid]`: every combination is a
 trial.
 
     [settings]
@@ -11,8 +11,8 @@ trial.
     seed = [0, 1, 2]
     algo = ["ppo", "td3"]
 
-Every trial is checkpointed: the same command with --resume goes on after any kill, with the same weights in the end.
-The folder holds `trials.csv`, a row per trial, and the runs as `heli-results --methods` reads them.
+Every trial has checkpoints: after a kill, the same command with --resume continues and gives the same weights. The
+folder holds `trials.csv`, with one row per trial, and the runs for `heli-results --methods`.
 """
 
 import csv
@@ -39,22 +39,22 @@ from heli_gym.storage import atomic_write, check_folder
 from heli_gym.train import train
 
 MOST_TRIALS = 10_000
-OURS = ("out", "resume", "progress")  # settings of a run that the sweep sets
+OURS = ("out", "resume", "progress")  # settings that the sweep sets itself
 
 
 @dataclass
 class Args:
-    """Run a study."""
+    """Run all trials of a study."""
 
-    study: Annotated[Path, tyro.conf.Positional]  # .toml
-    engine: Literal["local"] = "local"  # what runs the trials: processes of this machine
-    workers: int = 1  # trials at once
+    study: Annotated[Path, tyro.conf.Positional]  # .toml file
+    engine: Literal["local"] = "local"  # runs the trials in processes on this machine
+    workers: int = 1  # number of parallel trials
     out: Path = Path("out/sweep")
-    resume: bool = False  # go on with the study in this folder
+    resume: bool = False  # continue the study in this folder
 
 
 def read_study(path: Path) -> list[train.Args]:
-    """The trials of a study. Raises ValueError that names what is wrong, OSError if the file cannot be read."""
+    """Trials of a study file. Raises ValueError that names the error in it, OSError for an unreadable file."""
     try:
         study = tomllib.loads(path.read_text())
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
@@ -80,7 +80,7 @@ def read_study(path: Path) -> list[train.Args]:
         raise ValueError(f"study: {len(combinations)} trials: must be at most {MOST_TRIALS}")
     for combination in combinations:
         values = {**settings, **dict(zip(grid, combination))}
-        plain = as_settings(values)
+        plain = to_settings(values)
         try:
             trials.append(train.Args(**plain))
         except TypeError as error:
@@ -89,7 +89,7 @@ def read_study(path: Path) -> list[train.Args]:
 
 
 def check_trials(trials: Sequence[train.Args], args: Args) -> list[train.CompleteArgs]:
-    """The trials, complete and checked as `heli-train` checks them. Raises ValueError for the first bad one."""
+    """Trials with their folders, after the checks of `heli-train`. Raises ValueError for the first invalid one."""
     if args.workers < 1:
         raise ValueError(f"workers = {args.workers}: must be at least 1")
     check_folder("out", args.out)
@@ -117,8 +117,8 @@ def check_trials(trials: Sequence[train.Args], args: Args) -> list[train.Complet
     return placed
 
 
-def as_settings(values: dict[str, Any]) -> dict[str, Any]:
-    """Values out of TOML or JSON as the settings have them: lists as tuples, paths as such."""
+def to_settings(values: dict[str, Any]) -> dict[str, Any]:
+    """Convert values of TOML or JSON to types of the settings: lists to tuples, names of paths to Path."""
     hints = get_type_hints(train.Args)
     paths = {name for name, hint in hints.items() if hint is Path or Path in get_args(hint)}
     return {
@@ -128,35 +128,35 @@ def as_settings(values: dict[str, Any]) -> dict[str, Any]:
 
 
 def check_types(trial: train.Args) -> None:
-    """Raises ValueError for a value that is not of its setting's type."""
+    """Raise ValueError for a value of another type than its setting."""
     hints = get_type_hints(train.Args)
     for name, value in vars(trial).items():
         kinds = get_args(hints[name]) if get_origin(hints[name]) in (UnionType, Union) else (hints[name],)
-        if not any(is_a(value, kind) for kind in kinds):
+        if not any(has_type(value, kind) for kind in kinds):
             raise ValueError(
                 f"{name} = {value!r}: must be {' or '.join(getattr(k, '__name__', str(k)) for k in kinds)}"
             )
 
 
-def is_a(value: Any, kind: Any) -> bool:
-    """Whether a value is of a type as settings have them."""
+def has_type(value: Any, kind: Any) -> bool:
+    """Whether a value has the type of a setting."""
     if get_origin(kind) is Literal:
         return value in get_args(kind)
     if get_origin(kind) is tuple:
-        return isinstance(value, tuple) and all(is_a(part, get_args(kind)[0]) for part in value)
+        return isinstance(value, tuple) and all(has_type(part, get_args(kind)[0]) for part in value)
     if kind is float:
         return isinstance(value, float | int) and not isinstance(value, bool)
     return isinstance(value, kind) and (kind is bool or not isinstance(value, bool))
 
 
 def run_trial(trial: train.Args) -> int:
-    """The status of one training run in a process of its own."""
+    """Run a trial in its own process, and return the exit status."""
     order = json.dumps({field.name: getattr(trial, field.name) for field in fields(trial)}, default=str)
     return subprocess.run([sys.executable, "-m", "heli_gym.train.sweep", order], stdout=subprocess.DEVNULL).returncode
 
 
 def row_of(trial: train.CompleteArgs) -> dict[str, Any]:
-    """What a trial has reached: its settings of interest, and the validation of its last chunk."""
+    """Row of a trial: main settings, and validation after its last chunk."""
     folder = train.run_folder(trial)
     path = folder / "history.json"
     history = json.loads(path.read_text()) if path.is_file() else []
@@ -173,7 +173,7 @@ def row_of(trial: train.CompleteArgs) -> dict[str, Any]:
 
 
 def write_rows(path: Path, trials: Sequence[train.CompleteArgs]) -> list[dict[str, Any]]:
-    """Write trials.csv."""
+    """Write trials.csv, atomically, and return its rows."""
     rows, text = [row_of(trial) for trial in trials], io.StringIO()
     writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
     writer.writeheader()
@@ -184,7 +184,7 @@ def write_rows(path: Path, trials: Sequence[train.CompleteArgs]) -> list[dict[st
 
 
 def run(args: Args) -> None:
-    """Run the trials, and leave one table."""
+    """Run the trials, and write and print one table."""
     trials = check_trials(read_study(args.study), args)
     console = Console()
     columns = (
@@ -216,14 +216,14 @@ def run(args: Args) -> None:
 
 
 def main(args: Args | None = None) -> None:
-    """The command `heli-sweep`."""
+    """Run the command `heli-sweep`."""
     with command("heli-sweep"):
         run(args or parse(Args, "heli-sweep", __doc__))
 
 
 def train_one(order: str) -> None:
-    """One trial, its settings as JSON; those that are tuples or paths come back as such."""
-    train.train(train.Args(**as_settings(json.loads(order))), Console(quiet=True))
+    """Train one trial, given its settings as JSON."""
+    train.train(train.Args(**to_settings(json.loads(order))), Console(quiet=True))
 
 
 if __name__ == "__main__":

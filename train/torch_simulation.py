@@ -1,8 +1,7 @@
-"""The control step in torch: the same equations on tensors, for GPUs and for gradients.
+"""Control step in torch: the simulator's equations on tensors, for GPUs and for gradients.
 
-Serves any number of helicopters in one batch, on any device and in any dtype. Plants may have
-rotor lag, thrust loss, slew, delay, friction, a rig and encoders, each with its own numbers; disturbances and noise,
-which `heli_gym.simulation.kernels` draws helicopter by helicopter, are refused.
+A batch holds any number of helicopters, on any device and in any dtype. Plants may have rotor lag, thrust loss, slew,
+delay, friction, a rig and encoders, each with its own numbers. Disturbances and noise are not supported.
 """
 
 from types import SimpleNamespace
@@ -23,10 +22,10 @@ from heli_gym.task import OBSERVATION_LIMIT, cost, crashed, observed_error, obse
 
 
 class Batch(NamedTuple):
-    """Plants and references of N helicopters. Tensors (..., N)."""
+    """Plants and references of N helicopters, in tensors (..., N)."""
 
     body: Body
-    share: torch.Tensor  # (2, N), of the thrust that is left to each rotor
+    share: torch.Tensor  # (2, N), remaining share of each rotor's thrust
     lag_decay: torch.Tensor
     has_lag: torch.Tensor
     slew: torch.Tensor  # V/s
@@ -35,28 +34,28 @@ class Batch(NamedTuple):
     counts: torch.Tensor  # (3, N), zero for exact sensors
     rate_decay: torch.Tensor
     limits: LimitArrays
-    last: torch.Tensor  # steps
-    table: torch.Tensor  # (K, TABLE_WIDTH), the references
-    first: torch.Tensor  # row of the table
-    hover: torch.Tensor  # (2, N), V, of the action zero
+    last: torch.Tensor  # last step of the reference
+    table: torch.Tensor  # (K, TABLE_WIDTH), references
+    first: torch.Tensor  # first row in the table
+    hover: torch.Tensor  # (2, N), V, voltages of action 0
     settings: Settings
     derivative: Any
 
 
 class State(NamedTuple):
-    """State of N helicopters. Tensors (..., N)."""
+    """State of N helicopters, in tensors (..., N)."""
 
     x: torch.Tensor  # (6, N), (44)
     measured: torch.Tensor  # (6, N)
     command: torch.Tensor  # (2, N), V
-    pending: torch.Tensor  # (D, 2, N), V, on their way to the motors, the oldest first
+    pending: torch.Tensor  # (D, 2, N), V, commands in the delay line, oldest first
     motor: torch.Tensor  # (2, N), V
     rotor: torch.Tensor  # (2, N), V
     step: torch.Tensor  # (N,)
 
 
 class Outcome(NamedTuple):
-    """Outputs of a control step. Tensors (N, ...)."""
+    """Outputs of a control step, in tensors (N, ...)."""
 
     observation: torch.Tensor  # (N, OBSERVED)
     reward: torch.Tensor
@@ -66,18 +65,18 @@ class Outcome(NamedTuple):
 
 
 def equation_3(x: Any, v: Any, body: Body) -> tuple:
-    """Equation (3)."""
+    """State derivative (6, N) by (3)."""
     return dynamics(x, v, body.parameters, torch.sin, torch.cos)
 
 
 def equation_3_with_disturbances(x: Any, v: Any, body: Body) -> tuple:
-    """Equation (3) with friction."""
+    """State derivative (6, N) by (3) with friction."""
     dx = dynamics(x, v, body.parameters, torch.sin, torch.cos)
     return with_friction_and_disturbances(x, dx, body.viscous, body.coulomb, body.torques, torch.cos)
 
 
 def rigid_body_with_disturbances(x: Any, v: Any, body: Body) -> tuple:
-    """The full rigid body with friction."""
+    """State derivative (6, N) of the full rigid body with friction."""
     dx = rigid_dynamics(x, v, body.rig, torch.sin, torch.cos)
     return with_friction_and_disturbances(x, dx, body.viscous, body.coulomb, body.torques, torch.cos)
 
@@ -90,9 +89,9 @@ DERIVATIVES = {
 
 
 def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Batch, State]:
-    """Copy the helicopters of a simulation, in their present state.
+    """Copy the helicopters of a simulation and their current state to torch.
 
-    Raises ValueError if a plant has disturbances, noise, or effects beyond rotors and friction.
+    Raises ValueError for a plant with disturbances, noise, or effects beyond rotors and friction.
     """
     settings = shared(simulation.settings.tolist())
     if settings.disturbances or settings.is_noisy or simulation.fly is motion.step_general:
@@ -142,7 +141,7 @@ def to_torch(simulation: Simulation, device: str = "cpu") -> tuple[Batch, State]
 
 
 def step(batch: Batch, state: State, actions: torch.Tensor) -> tuple[State, Outcome]:
-    """Fly a control step of all helicopters under actions (N, 2): `kernels.control_step` without its loops."""
+    """Fly one control step with actions (N, 2); the batched form of `kernels.control_step`."""
     s = batch.settings
     command = to_voltage(actions.T.clamp(-1.0, 1.0), (s.u_low, s.u_high), batch.hover).clamp(s.u_low, s.u_high)
     motor, pending = apply_amplifier(batch, state, command)
@@ -162,10 +161,10 @@ def step(batch: Batch, state: State, actions: torch.Tensor) -> tuple[State, Outc
 
 
 def apply_amplifier(batch: Batch, state: State, command: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
-    """Voltages (2, N) at the motors, and those still delayed (D, 2, N)."""
+    """Motor voltages (2, N) and delay line (D, 2, N) after commands (2, N), all in V."""
     waiting = torch.cat((state.pending, command[None]))
     delay = len(state.pending)
-    # the voltages commanded this helicopter's delay ago
+    # commands from one delay ago, by helicopter
     arriving = waiting[(delay - batch.delay).long(), :, torch.arange(len(batch.delay), device=command.device)].T
     most = batch.settings.period * batch.slew
     return torch.minimum(torch.maximum(arriving, state.motor - most), state.motor + most), waiting[1:]
@@ -197,12 +196,12 @@ def measure(batch: Batch, state: State, x: tuple) -> torch.Tensor:
 
 
 def reference_row(batch: Batch, state: State) -> torch.Tensor:
-    """Present rows (N,) of the references in the table, their last ones at most."""
+    """Current rows (N,) of the references in the table, at most their last rows."""
     return batch.first + torch.minimum(state.step, batch.last)
 
 
 def observe(batch: Batch, state: State) -> torch.Tensor:
-    """Observations (N, OBSERVED), float32."""
+    """Observations (N, OBSERVED) in float32."""
     row = batch.table[reference_row(batch, state)]
     error = torch.stack(observed_error(state.measured - row[:, :6].T), dim=1)
     shown = torch.cat((error, observed_voltage(state.command.T), row[:, 8:]), dim=1)

@@ -1,14 +1,14 @@
-"""`heli-train`: an agent learns to correct a controller, or to fly alone.
+"""`heli-train`: train an agent that corrects a controller, or flies alone.
 
-The learners are the analytic policy gradient of `apg` and those of Stable-Baselines3. The file reads from top to
-bottom: settings; helicopters and agent; training, in chunks. After each chunk the agent is validated and the run is
-saved. The folder of a run holds:
+The learners are the analytic policy gradient of `apg` and algorithms of Stable-Baselines3. This file has three parts:
+settings; helicopters and agent; training, in chunks. Each chunk ends with a validation and a checkpoint. The folder
+of a run holds:
 
     settings.json   the settings
-    best.*          the network that was best on the validation helicopters, which `heli-evaluate` can fly
+    best.*          the best network on the validation helicopters, for `heli-evaluate`
     history.json    the validation after each chunk
-    checkpoints/    the last two states of the run, from which --resume goes on
-    events.*        TensorBoard's
+    checkpoints/    the last two states of the run, for --resume
+    events.*        files of TensorBoard
 """
 
 import json
@@ -59,48 +59,50 @@ from heli_gym.vector_env import Heli3DOFVectorEnv
 
 CONTROL_PERIOD = 0.02  # s
 START_SPREAD_DEG = 5.0
-VALIDATION_SEED = HELD_OUT_SEED // 2  # training's seeds stay below, those of evaluations above
-EARLY_END_PENALTY = 100.0  # of the score of a network that flies no time at all
-SCRATCH = "middle-voltage"  # the base of an agent that flies alone, from the middle of the voltages
+VALIDATION_SEED = HELD_OUT_SEED // 2  # seeds of training are smaller, seeds of evaluations greater
+EARLY_END_PENALTY = 100.0  # score penalty for zero flight time
+SCRATCH = "middle-voltage"  # base of an agent that flies alone: the middle of the voltage range
 
 
 @dataclass(frozen=True)
 class Args:
-    """Train an agent. Settings without a value have the learner's default, see `DEFAULTS`."""
+    """Train an agent. Settings without a value have the learner's default; see `DEFAULTS`."""
 
     algo: Literal["apg", "ppo", "sac", "td3", "tqc"] = "apg"
-    plant: str = "lab"  # drawn anew in every flight: lab or rigid
-    mode: Literal["residual", "scratch"] = "residual"  # whether the agent corrects the base policy or flies alone
+    plant: str = "lab"  # plant of the training, lab or rigid; every flight draws it anew
+    mode: Literal["residual", "scratch"] = "residual"  # correct the base policy, or fly alone
     base: str = ""  # policy to correct; by default "feedforward+tvlqr@PLANT", the paper's with weights for the plant
-    scale: float | None = None  # V, the greatest correction; by default the amplifier's range, or half of it alone
-    feature_groups: tuple[str, ...] | None = None  # of `residual.FEATURE_GROUPS`, what the agent is shown
-    privileged: bool = True  # PPO: whether its critic also sees the true errors and the draw of the plant
-    objective: Literal["tracking", "environment"] = "tracking"  # travel, elevation and cost, or the whole reward
+    scale: float | None = None  # V, greatest correction; by default the amplifier's range, alone half of it
+    feature_groups: tuple[str, ...] | None = None  # inputs of the agent, of `residual.FEATURE_GROUPS`
+    privileged: bool = True  # PPO: the critic also reads true errors and the plant's draw
+    objective: Literal["tracking", "environment"] = (
+        "tracking"  # travel, elevation and cost, or the environment's reward
+    )
     reference: str = "travel-360"
-    rig: str = "paper"  # a name, or a .toml file; the network is for this rig
-    force: bool = False  # whether to fly a plan that is for another rig
+    rig: str = "paper"  # rig of the training: a name, or a .toml file
+    force: bool = False  # fly a plan even if it is for another rig
     seed: int = 0
-    steps: int | None = None  # control periods flown in training, of all helicopters together
-    envs: int | None = None  # helicopters at once
+    steps: int | None = None  # control periods of training, over all helicopters
+    envs: int | None = None  # number of parallel helicopters
     chunk: int | None = None  # control periods of each helicopter between two validations
-    init: Path | None = None  # APG: learned policy, .json, whose network to begin with
+    init: Path | None = None  # APG: learned policy (.json) with the initial network
     cell: int = 96  # APG: hidden states of its GRU cell
-    hidden: tuple[int, ...] = (64, 64)  # the others: neurons of the layers
-    learning_rate: float | None = None  # at first; it falls linearly to a twentieth
-    max_grad_norm: float = 2.0  # APG: norm to which the gradient is clipped
-    cost_weight: float = 0.35  # APG: degrees of RMS error that a second of cost is worth
+    hidden: tuple[int, ...] = (64, 64)  # other learners: neurons of the layers
+    learning_rate: float | None = None  # initial value; it falls linearly to a twentieth
+    max_grad_norm: float = 2.0  # APG: greatest norm of the clipped gradient
+    cost_weight: float = 0.35  # APG: weight of the cost, in degrees of RMS error per second
     gamma: float = 0.99  # discount per control period
-    gae_lambda: float = 0.97  # PPO: of the advantage estimate; travel shows the effect of a voltage a second later
-    log_std: float = -2.7  # PPO: logarithm of the standard deviation of the exploration's weights, at first
-    hold: int = 32  # PPO: control periods for which the exploration keeps its direction
+    gae_lambda: float = 0.97  # PPO: advantage estimate; travel reacts to a voltage after a second
+    log_std: float = -2.7  # PPO: initial logarithm of the standard deviation of the exploration weights
+    hold: int = 32  # PPO: control periods with constant exploration weights
     rollout: int = 64  # PPO: control periods of each helicopter between two updates
-    batch: int = 2048  # PPO: transitions of a gradient step
+    batch: int = 2048  # PPO: transitions in a gradient step
     epochs: int = 5  # PPO: passes over the transitions of an update
     buffer: int = 300_000  # SAC, TD3, TQC: transitions in the replay buffer
-    validation: int = 64  # helicopters on which the agent is validated
-    out: Path = Path("out/train")  # folder in which each run has its own
-    resume: bool = False  # continue the run of the same settings, if it was interrupted
-    progress: bool = True  # whether to show a bar
+    validation: int = 64  # number of validation helicopters
+    out: Path = Path("out/train")  # folder of the runs' folders
+    resume: bool = False  # continue an interrupted run with the same settings
+    progress: bool = True  # show a progress bar
 
 
 OF_STABLE_BASELINES: dict[str, Any] = {
@@ -135,7 +137,7 @@ class CompleteArgs(Args):
 
 
 def with_defaults(args: Args) -> CompleteArgs:
-    """The settings with the learner's defaults where there is no value, and the name of the base."""
+    """Settings completed with the learner's defaults and the name of the base."""
     missing = {name: value for name, value in DEFAULTS[args.algo].items() if getattr(args, name) is None}
     if args.scale is None:
         low, high = find_rig(args.rig).voltage_limits
@@ -146,7 +148,7 @@ def with_defaults(args: Args) -> CompleteArgs:
 
 
 def check(args: CompleteArgs) -> None:
-    """Raises ValueError for settings that make no sense."""
+    """Raise ValueError for invalid settings."""
     sizes = ("steps", "envs", "chunk", "cell", "hold", "rollout", "epochs", "buffer", "validation")
     for name, least in (*dict.fromkeys(sizes, 1).items(), ("batch", 2)):
         if getattr(args, name) < least:
@@ -173,7 +175,7 @@ def check(args: CompleteArgs) -> None:
         raise ValueError(f"seed = {args.seed}: must be 0 to 9999")
     if args.algo == "ppo" and args.chunk % args.rollout:
         raise ValueError(f"chunk = {args.chunk}: must be a multiple of rollout = {args.rollout}")
-    # The seeds of `learn`: no chunk flies the draws of another seed's run, nor those of the validation.
+    # Seeds of `learn`: no chunk uses the draws of another run or of the validation.
     chunks, draws = chunks_of(args), draws_of(args)
     if chunks > 1000:
         raise ValueError(
@@ -189,30 +191,30 @@ def check(args: CompleteArgs) -> None:
 
 
 def chunks_of(args: CompleteArgs) -> int:
-    """Number of chunks."""
+    """Number of chunks in a run."""
     return -(-args.steps // (args.chunk * args.envs))
 
 
 def draws_of(args: CompleteArgs) -> int:
-    """Number of seeds that a chunk takes."""
+    """Number of seeds in a chunk."""
     if args.algo != "apg":
-        return args.envs  # later flights of a helicopter go on with its generator
+        return args.envs  # later flights of a helicopter continue its generator
     return args.envs * -(-args.chunk // control_steps(reference_of(args).duration, CONTROL_PERIOD))
 
 
 @cache
 def planned_reference(reference: str, rig: str, force: bool) -> Trajectory:
-    """`reference_for`, once."""
+    """Cached `reference_for`."""
     return reference_for(reference, rig, force)
 
 
 def reference_of(args: Args) -> Trajectory:
-    """The reference to train on."""
+    """Reference of the training."""
     return planned_reference(args.reference, args.rig, args.force)
 
 
 def run_folder(args: CompleteArgs) -> Path:
-    """Where the run with these settings leaves what it leaves: a folder for each plant, method and seed."""
+    """Folder of a run, by plant, method and seed."""
     method = f"{args.algo}-{args.base}" if args.mode == "residual" else f"{args.algo}-scratch"
     for name in (
         *(group for group in DEFAULTS[args.algo]["feature_groups"] if group not in args.feature_groups),
@@ -227,15 +229,15 @@ def run_folder(args: CompleteArgs) -> Path:
 
 
 def settings_of(args: Args) -> dict[str, Any]:
-    """What a run depends on, as JSON has it."""
+    """Settings that determine a run, as plain JSON."""
     ours = {name: value for name, value in asdict(args).items() if name not in ("out", "resume", "progress")}
     return json.loads(json.dumps(ours, default=str))
 
 
 def check_begun(args: Args, folder: Path) -> bool:
-    """Whether there is a run in this folder to go on with.
+    """Whether the folder holds a run to continue.
 
-    Raises ValueError if there is one that is not to be gone on with, or one that was begun with other settings.
+    Raises ValueError for a run with other settings, or for any run without --resume.
     """
     path = folder / "settings.json"
     if not path.is_file():
@@ -255,11 +257,11 @@ def check_begun(args: Args, folder: Path) -> bool:
     return True
 
 
-# The helicopters and the agent
+# Helicopters and agent
 
 
 def make_residual_policy(args: CompleteArgs, reference: Any, network: Any = None) -> ResidualPolicy:
-    """The policy to learn, with this network or, without one, for an agent in its place."""
+    """Residual policy of the settings, with a network, or without one for an agent in its place."""
     return ResidualPolicy(
         make_policy(args.base, reference),
         reference,
@@ -273,7 +275,7 @@ def make_residual_policy(args: CompleteArgs, reference: Any, network: Any = None
 
 
 def make_helicopters(args: CompleteArgs, reference: Any) -> Heli3DOFVectorEnv | ResidualVecEnv:
-    """The helicopters to train on."""
+    """Helicopters of the training."""
     envs = Heli3DOFVectorEnv(
         args.envs, args.plant, reference, start_spread_deg=START_SPREAD_DEG, autoreset_mode="SameStep", rig=args.rig
     )
@@ -284,7 +286,7 @@ def make_helicopters(args: CompleteArgs, reference: Any) -> Heli3DOFVectorEnv | 
 
 
 def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
-    """The agent, whose first actions are small: its last layer is near zero."""
+    """New agent with small initial actions: its last layer is near zero."""
     if args.algo == "apg":
         agent = APG(
             make_residual_policy(args, helicopters.reference_of(0)),
@@ -313,13 +315,13 @@ def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
             batch_size=args.batch,
             n_epochs=args.epochs,
             gae_lambda=args.gae_lambda,
-            # White noise at 50 Hz hardly moves a helicopter: explore with one direction for a while.
+            # White noise at 50 Hz hardly moves a helicopter; exploration with constant weights does.
             use_sde=True,
             sde_sample_freq=args.hold,
             policy_kwargs={**networks, "log_std_init": args.log_std, "n_actor_features": helicopters.n_actor_features},
             **common,
         )
-    # one gradient step per control period of all helicopters, with a batch that is large enough for them
+    # one gradient step per control period of all helicopters, with a large batch
     off_policy = {"buffer_size": args.buffer, "batch_size": 1024, "train_freq": 1, "gradient_steps": 1}
     env_kwargs: dict[str, Callable] = {"sac": SAC, "td3": TD3}
     if args.algo == "tqc":
@@ -338,7 +340,7 @@ def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
 
 
 def network_of(agent: APG | BaseAlgorithm) -> Network | RecurrentNetwork:
-    """The agent's network, without exploration, for numpy."""
+    """Copy of the agent's deterministic network in numpy."""
     if isinstance(agent, APG):
         return apg.network_of(agent.policy)
     policy: Any = agent.policy
@@ -358,7 +360,7 @@ def network_of(agent: APG | BaseAlgorithm) -> Network | RecurrentNetwork:
 def validate(
     args: CompleteArgs, agent: APG | BaseAlgorithm | None, envs: Heli3DOFVectorEnv, seed: int
 ) -> dict[str, Any]:
-    """Means over flights of the helicopters, seeded from `seed` on, with the agent or, without one, the base alone."""
+    """Mean metrics of flights with seeds from `seed` on, with the agent or, without one, the base alone."""
     reference = envs.reference_of(0)
     network = network_of(agent) if agent else lambda features: np.zeros((2, *features.shape[1:]))
     flights = fly_many(envs, make_residual_policy(args, reference, network), seed)
@@ -367,7 +369,7 @@ def validate(
 
 
 def score(args: Args, row: dict[str, Any]) -> float:
-    """Score by which the best network is chosen: the return, or small errors, little cost and few failures."""
+    """Score for the choice of the best network: the return, or a penalty of errors, cost and early ends."""
     if args.objective == "environment":
         return row["episode_return"]
     travel, elevation = np.radians(row["rms_error_deg"][:2]) / HALVING_ERROR
@@ -379,7 +381,7 @@ def score(args: Args, row: dict[str, Any]) -> float:
 
 
 def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
-    """Trains, or goes on, and returns the folder of the run; `stop_after` so many chunks, as if interrupted."""
+    """Train, or continue, and return the folder of the run; `stop_after` chunks it stops like an interrupt."""
     args = with_defaults(args)
     check(args)
     folder = run_folder(args)
@@ -393,7 +395,7 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     )
     agent = make_agent(args, helicopters)
     checkpoint = last_checkpoint(folder / "checkpoints") if begun else None
-    (folder / "checkpoints").mkdir(parents=True, exist_ok=True)  # only now: a refusal leaves nothing
+    (folder / "checkpoints").mkdir(parents=True, exist_ok=True)  # after all checks: an error leaves no folder
     agent.set_logger(configure(str(folder), ["tensorboard"]))
 
     history: list[dict[str, Any]] = []
@@ -433,9 +435,9 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
 
 
 def learn(args: CompleteArgs, agent: APG | BaseAlgorithm, helicopters: Any, number: int, chunks: int) -> None:
-    """Learn for one chunk. Its random numbers follow from the seed and the number of the chunk alone.
+    """Learn for one chunk, with random numbers that depend only on the seed and the number of the chunk.
 
-    So an interrupted run can go on with the chunk in which it was interrupted, and ends with the same weights.
+    Therefore a run that repeats its interrupted chunk ends with the same weights.
     """
     seed = 1000 * args.seed + number
     set_random_seed(seed)
@@ -444,14 +446,14 @@ def learn(args: CompleteArgs, agent: APG | BaseAlgorithm, helicopters: Any, numb
     else:
         agent.action_space.seed(seed)
         helicopters.seed(seed * draws_of(args))
-        agent._last_obs = None  # Stable-Baselines3 then resets the helicopters
+        agent._last_obs = None  # makes Stable-Baselines3 reset the helicopters
     rate = args.learning_rate * (1.0 - 0.95 * number / chunks)
     agent.lr_schedule = lambda _: rate
     agent.learn(args.chunk * args.envs, reset_num_timesteps=False, log_interval=10**9)
 
 
 def state_of(agent: APG | BaseAlgorithm, history: list[dict[str, Any]]) -> dict[str, Any]:
-    """Everything that the rest of a run depends on."""
+    """State that determines the rest of a run."""
     variables = [] if isinstance(agent, APG) else agent._get_torch_save_params()[1]
     state = {
         "history": json.dumps(history),
@@ -471,7 +473,7 @@ BUFFER = ("observations", "next_observations", "actions", "rewards", "dones", "t
 
 
 def restore(agent: APG | BaseAlgorithm, state: dict[str, Any]) -> list[dict[str, Any]]:
-    """Puts the agent into this state, and returns the history of its run."""
+    """Restore the agent from a state, and return the history of its run."""
     agent.set_parameters(state["parameters"])
     for name, value in state["variables"].items():
         getattr(agent, name).data.copy_(value)
@@ -485,7 +487,7 @@ def restore(agent: APG | BaseAlgorithm, state: dict[str, Any]) -> list[dict[str,
 
 
 def learned_settings(args: CompleteArgs, agent: APG | BaseAlgorithm) -> Learned:
-    """Settings that are stored with the network."""
+    """Settings to store with the network."""
     residual = agent.residual if isinstance(agent, APG) else agent.get_env().policy  # type: ignore[union-attr]
     network = network_of(agent)
     recurrent = network.size if isinstance(network, RecurrentNetwork) else 0
@@ -508,13 +510,13 @@ def learned_settings(args: CompleteArgs, agent: APG | BaseAlgorithm) -> Learned:
 
 
 def write_json(path: Path, value: Any) -> None:
-    """Atomically."""
+    """Write a value as JSON, atomically."""
     with atomic_write(path) as file:
         file.write((json.dumps(value, indent=2, default=str) + "\n").encode())
 
 
 def main() -> None:
-    """The command `heli-train`."""
+    """Run the command `heli-train`."""
     with command("heli-train"):
         console = Console()
         folder = train(parse(Args, "heli-train", __doc__), console)

@@ -1,4 +1,4 @@
-"""Helicopters for Stable-Baselines3: as they are, and with an agent that corrects a controller."""
+"""Vector environments for Stable-Baselines3: plain helicopters, and helicopters whose controller the agent corrects."""
 
 import math
 import time
@@ -21,7 +21,7 @@ from heli_gym.task import TOLERANCE, to_action, to_voltage
 from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
-# Rows of the simulation that an episode draws, with the middles and the scales of the presets' ranges.
+# Random rows of the simulation, with middle and scale of their ranges in the presets.
 DRAWN = (
     (LAG, 0.125, 0.05),
     (LOSS, 0.075, 0.05),
@@ -33,7 +33,7 @@ DRAWN = (
 )
 
 
-# Attributes of `Heli3DOFEnv` that all helicopters of a vector environment share.
+# Attributes of `Heli3DOFEnv` common to all helicopters of a vector environment.
 SHARED = (
     "control_period",
     "voltage_limits",
@@ -47,20 +47,19 @@ SHARED = (
 
 
 class HeliVecEnv(VecEnv):
-    """The native vector environment as a Stable-Baselines3 `VecEnv`: what `make_vec_env` makes, many times as fast.
+    """Native vector environment as a Stable-Baselines3 `VecEnv`, many times as fast as `make_vec_env`.
 
-    Rewards, lengths and `info["episode"]` are those of `make_vec_env("Heli3DOF-v0", ...)` with Monitors, bit for bit in
-    single precision, and an `info` has the same keys.
+    Rewards, lengths and `info["episode"]` equal those of `make_vec_env("Heli3DOF-v0", ...)` with Monitors, bit for bit
+    in single precision, and an `info` has the same keys.
 
     Args:
         envs: `gymnasium.make_vec("Heli3DOF-v0", n, autoreset_mode="SameStep", ...)`, wrapped or not.
-        spread: whether a `reset` spreads the helicopters evenly over the maneuver. Did all start at its start, they
-            would march in lockstep, and an update would see one part of it only. Later flights start at the start.
-        reward_unit: s; rewards, those in `info["episode"]` too, are divided by it. With the control period they are of
-            order one.
-        sparse_infos: whether only the infos of flights that end are filled, which saves time with many helicopters.
+        spread: whether a `reset` spreads the helicopters evenly over the maneuver; later flights start at its start.
+            Without it all helicopters fly in lockstep, and an update uses one part of the maneuver only.
+        reward_unit: s, divisor of all rewards, also in `info["episode"]`. With the control period they are of order 1.
+        sparse_infos: whether to fill only the infos of flights that end, which saves time with many helicopters.
 
-    Raises ValueError unless the autoreset mode is "SameStep", which is Stable-Baselines3's, or for another environment.
+    Raises ValueError for an autoreset mode other than "SameStep", that of Stable-Baselines3, or another environment.
     """
 
     def __init__(
@@ -81,17 +80,17 @@ class HeliVecEnv(VecEnv):
         super().__init__(core.num_envs, envs.single_observation_space, envs.single_action_space)
 
     def reset(self) -> np.ndarray:
-        """Start episodes with the seeds of `seed` and the options of `set_options`, each helicopter its own."""
+        """Start episodes with each helicopter's seed from `seed` and options from `set_options`."""
         seed: Any = None if self._seeds[0] is None else list(self._seeds)
         observation, self.info = self.envs.reset(seed=seed, options=self._merged_options())
         self._reset_seeds()
         self._reset_options()
         self.returns[:], self.lengths[:] = 0.0, 0
         self.reset_infos = self._infos(self.info)
-        return self.observed_at_start(observation)
+        return self.initial_observations(observation)
 
     def _merged_options(self) -> dict[str, Any]:
-        """Options of the vector environment out of those of each helicopter."""
+        """Options of the vector environment, merged from each helicopter's options."""
         names = {name for own in self._options for name, value in own.items() if value is not None}
         if not names <= {"state", "plant", "time"}:
             raise ValueError(f"options = {self._options!r}: must be among 'state', 'plant', 'time'")
@@ -112,11 +111,11 @@ class HeliVecEnv(VecEnv):
         self.actions = actions
 
     def step_wait(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
-        """Fly one control period; the last observation of a flight that ends is in its info."""
+        """Fly one control period; the info of a flight that ends has its last observation."""
         observation, rewards, terminated, truncated, self.info = self.envs.step(self.to_env_action(self.actions))
         done = terminated | truncated
-        rewards = self.rewarded(rewards / self.reward_unit, done).astype(np.float32)
-        shown, last = self.observed(observation, done)
+        rewards = self.agent_rewards(rewards / self.reward_unit, done).astype(np.float32)
+        shown, last = self.agent_observations(observation, done)
         self.returns += rewards
         self.lengths += 1
         infos = [{} for _ in range(self.num_envs)] if self.sparse_infos else self._infos(self.info)
@@ -134,7 +133,7 @@ class HeliVecEnv(VecEnv):
         return shown, rewards, done, infos
 
     def _infos(self, info: dict[str, Any], indices: Sequence[int] | None = None) -> list[dict[str, Any]]:
-        """Infos of each helicopter, or of those with these indices."""
+        """Infos of all helicopters, or of those at given indices."""
         where = slice(None) if indices is None else list(indices)
         names = [name for name, value in info.items() if isinstance(value, np.ndarray) and name[0] != "_"]
         names = [name for name in names if name != "final_obs"]
@@ -142,22 +141,22 @@ class HeliVecEnv(VecEnv):
         rows = zip(*(column.tolist() if column.ndim == 1 else column for column in columns))
         return [dict(zip(names, row)) | {"TimeLimit.truncated": False} for row in rows]
 
-    def rewarded(self, rewards: np.ndarray, done: np.ndarray) -> np.ndarray:
-        """Rewards (N,) of the agent, given the environment's, both in the reward unit."""
+    def agent_rewards(self, rewards: np.ndarray, done: np.ndarray) -> np.ndarray:
+        """Rewards (N,) of the agent from the environment's rewards (N,), both in the reward unit."""
         return rewards
 
-    def observed_at_start(self, observation: np.ndarray) -> np.ndarray:
-        """Observations (N, ...) of the agent after a reset, given the environment's."""
+    def initial_observations(self, observation: np.ndarray) -> np.ndarray:
+        """Observations (N, ...) of the agent after a reset, from the environment's."""
         return observation
 
-    def observed(self, observation: np.ndarray, done: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Observations (N, ...) of the agent after a step, and at the ends of those flights that are over."""
+    def agent_observations(self, observation: np.ndarray, done: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Observations (N, ...) of the agent after a step, and final ones (n, ...) of the flights that ended."""
         ended = np.flatnonzero(done)
         last = np.array([self.info["final_obs"][i] for i in ended]) if len(ended) else observation[:0]
         return observation, last
 
     def to_env_action(self, actions: np.ndarray) -> np.ndarray:
-        """The environment's actions (N, 2) for those of the agent."""
+        """Actions (N, 2) of the environment for actions (N, 2) of the agent."""
         return actions
 
     def close(self) -> None:
@@ -165,23 +164,23 @@ class HeliVecEnv(VecEnv):
         self.envs.close()
 
     def helicopter(self, i: int) -> "Helicopter":
-        """The helicopter i as a `Heli3DOFEnv` presents itself."""
+        """View of helicopter i with the interface of `Heli3DOFEnv`."""
         return Helicopter(self.core, self.envs, i)
 
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
-        """Attribute of each helicopter, as that of a `Heli3DOFEnv`: "reference", "plant", "drawn_plant", ..."""
+        """Attribute of each helicopter, by its name in `Heli3DOFEnv`: "reference", "plant", "drawn_plant", ..."""
         return [getattr(self.helicopter(i), attr_name) for i in self._get_indices(indices)]
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
-        """Refused: the helicopters share one environment."""
+        """Raise an error: the helicopters share one environment."""
         raise NotImplementedError("attributes of single helicopters cannot be set")
 
     def env_method(self, method_name: str, *args: Any, indices: Any = None, **kwargs: Any) -> list[Any]:
-        """Result of a method of each helicopter: "to_action", "to_voltage", "render"."""
+        """Results of each helicopter's method "to_action", "to_voltage" or "render"."""
         return [getattr(self.helicopter(i), method_name)(*args, **kwargs) for i in self._get_indices(indices)]
 
     def env_is_wrapped(self, wrapper_class: Any, indices: Any = None) -> list[bool]:
-        """True for a Monitor, whose `info["episode"]` this environment gives, and false for others."""
+        """True for a Monitor, because this environment has its `info["episode"]`; False for other wrappers."""
         return [wrapper_class is Monitor] * len(list(self._get_indices(indices)))
 
     def get_images(self) -> Sequence[np.ndarray | None]:
@@ -191,7 +190,7 @@ class HeliVecEnv(VecEnv):
 
 
 class Helicopter:
-    """One helicopter of a vector environment, with the attributes and methods of `Heli3DOFEnv` that change nothing."""
+    """Helicopter of a vector environment, with the read-only attributes and methods of `Heli3DOFEnv`."""
 
     def __init__(self, core: Heli3DOFVectorEnv, envs: VectorEnv, i: int) -> None:
         self.core, self.i = core, i
@@ -222,11 +221,11 @@ class Helicopter:
         return self.core.np_random_seed[self.i]
 
     def to_voltage(self, action: Any) -> np.ndarray:
-        """Voltages (2,) in V of an action (2,)."""
+        """Voltages (2,) in V for an action (2,)."""
         return to_voltage(np.asarray(action, float), self.core.voltage_limits, self.hover_voltage)
 
     def to_action(self, u: Any) -> np.ndarray:
-        """The action (2,) of voltages (2,) in V."""
+        """Action (2,) for voltages (2,) in V."""
         return to_action(np.asarray(u, float), self.core.voltage_limits, self.hover_voltage)
 
     def render(self) -> np.ndarray | None:
@@ -236,10 +235,10 @@ class Helicopter:
 
 
 class ResidualVecEnv(HeliVecEnv):
-    """Helicopters flown by a controller that the agent corrects.
+    """Helicopters with a controller that the agent corrects.
 
-    The agent sees the features of `ResidualPolicy`; with `privileged`, what only its critic may use follows these: the
-    true tracking error and the draw of the plant. The objective is "tracking", `tracking_reward`, or "environment".
+    The observations are the features of `ResidualPolicy`; with `privileged`, the true tracking error and the plant's
+    draw follow, for the critic only. The objective is "tracking" (`tracking_reward`) or "environment".
     """
 
     def __init__(
@@ -257,30 +256,30 @@ class ResidualVecEnv(HeliVecEnv):
         count = self.n_actor_features + (6 + len(DRAWN) if privileged else 0)
         self.observation_space = Box(-FEATURE_CLIP, FEATURE_CLIP, (count,), np.float32)
 
-    def observed_at_start(self, observation: np.ndarray) -> np.ndarray:
+    def initial_observations(self, observation: np.ndarray) -> np.ndarray:
         self.policy.reset(np.random.default_rng(0))
         self.t, self.measurement = self.info["time"], self.info["measurement"].T
         self.u_base, features = self.policy.observe(self.t, self.measurement)
-        self.draws = self.drawn()
-        return self.shown(features, self.info["state"].T, self.t)
+        self.draws = self.plant_features()
+        return self.make_observations(features, self.info["state"].T, self.t)
 
-    def drawn(self) -> np.ndarray:
-        """The draws of the plants (len(DRAWN), N), about zero and of order one."""
+    def plant_features(self) -> np.ndarray:
+        """Normalised draws (len(DRAWN), N) of the plants, around zero and of order one."""
         rows = [(self.core.simulation.rows(row, 1)[0] - middle) / scale for row, middle, scale in DRAWN]
         return np.array(rows)
 
-    def shown(self, features: np.ndarray, state: np.ndarray, time: np.ndarray) -> np.ndarray:
-        """Observations (N, ...) out of features (F, N), the true states (6, N) and the times (N,)."""
+    def make_observations(self, features: np.ndarray, state: np.ndarray, time: np.ndarray) -> np.ndarray:
+        """Observations (N, ...) from features (F, N), true states (6, N) and times (N,) in s."""
         if not self.privileged:
             return features.T.astype(np.float32)
         error = (state - self.reference_at(time)) / np.array(TOLERANCE)[:, None]
         return np.clip(np.concatenate((features, error, self.draws)), -FEATURE_CLIP, FEATURE_CLIP).T.astype(np.float32)
 
     def reference_at(self, time: np.ndarray) -> np.ndarray:
-        """The states (6, N) of the reference at times (N,) in s."""
+        """Reference states (6, N) at times (N,) in s."""
         return self.policy.x[:, step_index(time, self.core.control_period, self.policy.x.shape[1] - 1)]
 
-    def rewarded(self, rewards: np.ndarray, done: np.ndarray) -> np.ndarray:
+    def agent_rewards(self, rewards: np.ndarray, done: np.ndarray) -> np.ndarray:
         if self.objective == "environment":
             return rewards
         state, time, cost = self.info["state"].T, self.info["time"], self.info["cost"]
@@ -294,23 +293,23 @@ class ResidualVecEnv(HeliVecEnv):
         u = self.policy.correct(self.t, self.measurement, self.u_base, np.clip(actions.T, -1.0, 1.0).astype(float))
         return to_action(u, self.core.voltage_limits, self.core.hover_voltage).T
 
-    def observed(self, observation: np.ndarray, done: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def agent_observations(self, observation: np.ndarray, done: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         self.t, self.measurement, state = self.info["time"], self.info["measurement"].T, self.info["state"].T
         ended = np.flatnonzero(done)
         if not len(ended):
             self.u_base, features = self.policy.observe(self.t, self.measurement)
-            shown = self.shown(features, state, self.t)
+            shown = self.make_observations(features, state, self.t)
             return shown, shown[:0]
         final = self.info["final_info"]
         t_end = np.where(done, final["time"], self.t)
         u_base, features = self.policy.observe(t_end, np.where(done, final["measurement"].T, self.measurement))
-        last = self.shown(features, np.where(done, final["state"].T, state), t_end)[ended]
+        last = self.make_observations(features, np.where(done, final["state"].T, state), t_end)[ended]
 
-        # The flights that start now: as if the policies had just been reset, in their columns.
+        # Reset the policy in the columns of the flights that start now.
         memory = self.policy.memory
         self.policy.reset(np.random.default_rng(0))
         u_base[:, ended], features[:, ended] = self.policy.observe(self.t[ended], self.measurement[:, ended])
         self.policy.memory = assign_columns(memory, self.policy.memory, ended)
         self.u_base = u_base
-        self.draws = self.drawn()
-        return self.shown(features, state, self.t), last
+        self.draws = self.plant_features()
+        return self.make_observations(features, state, self.t), last

@@ -11,7 +11,7 @@ from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
 from heli_gym.env import find_reference  # noqa: E402
 from heli_gym.plant import Plant, Push, Sensors  # noqa: E402
 from heli_gym.train.apg import AHEAD, GROUPS, Actor, batch_of, network_of, task_of, weights_of  # noqa: E402
-from heli_gym.train.flight_gradient import LANES, N_SEEN, Rollout, Weights  # noqa: E402
+from heli_gym.train.flight_gradient import LANES, N_FLIGHT_FEATURES, Rollout, Weights  # noqa: E402
 from heli_gym.vector_env import Heli3DOFVectorEnv  # noqa: E402
 
 SHORT = find_reference("climb-7.5")
@@ -30,7 +30,7 @@ def helicopters(plant="lab"):
 def random_weights(task, hidden, dtype, seed=0):
     rng = np.random.default_rng(seed)
     shapes = Weights(
-        seen=(3 * hidden, N_SEEN),
+        seen=(3 * hidden, N_FLIGHT_FEATURES),
         preview=(3 * hidden, task.preview.shape[1]),
         hidden=(3 * hidden, hidden),
         input_bias=(3 * hidden,),
@@ -88,7 +88,7 @@ def test_without_a_correction_the_flights_are_those_of_the_base_in_the_environme
 def test_the_flights_are_those_of_the_network_by_numpy_in_the_environment():
     torch.manual_seed(0)
     task = task_of(residual_policy(), helicopters(), 0.5, 1.0)
-    actor = Actor(N_SEEN + task.preview.shape[1], 16).double()
+    actor = Actor(N_FLIGHT_FEATURES + task.preview.shape[1], 16).double()
     with torch.no_grad():
         actor.head.weight.mul_(100.0)
     policy = residual_policy(network_of(actor))
