@@ -170,7 +170,7 @@ class APG:
         learning_rate: learning rate of Adam.
         hidden: number of states of the GRU cell.
         max_grad_norm: greatest norm of the clipped gradient.
-        cost_weight: of the cost in the loss, in degrees of travel's error per second.
+        cost_weight: weight of the cost in the loss, in degrees of travel error per second.
         elevation_weight: weight of the elevation error in the loss; the travel error has weight 1.
         seed: of the initial weights and of the helicopters.
 

@@ -2,8 +2,8 @@
 
 Every policy flies the same draws of a plant, which training and validation have not used. The table has the
 interquartile mean of each metric over draws and training seeds (Agarwal et al., "Deep reinforcement learning at the
-edge of the statistical precipice", 2021) with a 95 % interval from a bootstrap over draws and seeds. It also has, paired
-by draw, the relative improvement over the paper's controller and its probability.
+edge of the statistical precipice", 2021) with a 95 % interval from a bootstrap over draws and seeds. It also has,
+paired by draw, the relative improvement over the paper's controller and its probability.
 """
 
 import json

@@ -75,9 +75,7 @@ class Args:
     scale: float | None = None  # V, greatest correction; by default the amplifier's range, alone half of it
     feature_groups: tuple[str, ...] | None = None  # inputs of the agent, of `residual.FEATURE_GROUPS`
     privileged: bool = True  # PPO: the critic also reads true errors and the plant's draw
-    objective: Literal["tracking", "environment"] = (
-        "tracking"  # travel, elevation and cost, or the environment's reward
-    )
+    objective: Literal["tracking", "environment"] = "tracking"  # travel, elevation and cost, or the full reward
     reference: str = "travel-360"
     rig: str = "paper"  # rig of the training: a name, or a .toml file
     force: bool = False  # fly a plan even if it is for another rig
