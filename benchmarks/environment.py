@@ -31,7 +31,7 @@ ACTIONS = 8  # number of actions drawn in advance
 Runner = Callable[[], int]  # runs for a while and returns the number of steps
 
 
-def one(env: gym.Env, steps: int = 500) -> Runner:
+def single_runner(env: gym.Env, steps: int = 500) -> Runner:
     """Runner of one environment under random actions, over several episodes."""
     env.action_space.seed(0)
     actions = [near_hover(env.action_space.sample()) for _ in range(512)]
@@ -47,7 +47,7 @@ def one(env: gym.Env, steps: int = 500) -> Runner:
     return run
 
 
-def many(envs: gym.vector.VectorEnv, n: int, lockstep: bool = True) -> Runner:
+def vector_runner(envs: gym.vector.VectorEnv, n: int, lockstep: bool = True) -> Runner:
     """Runner of a vector environment with automatic resets.
 
     Helicopters start simultaneously with `lockstep`, otherwise spread over the maneuver as in training, so that some
@@ -56,10 +56,10 @@ def many(envs: gym.vector.VectorEnv, n: int, lockstep: bool = True) -> Runner:
     envs.action_space.seed(0)
     actions = [near_hover(envs.action_space.sample()) for _ in range(ACTIONS)]
     envs.reset(seed=0, options=None if lockstep else {"time": np.linspace(0.0, 9.9, n)})
-    return stepping(envs, actions, n)
+    return stepping_runner(envs, actions, n)
 
 
-def stepping(envs: Any, actions: list, n: int) -> Runner:
+def stepping_runner(envs: Any, actions: list, n: int) -> Runner:
     """Runner that steps n environments at once and cycles through the actions."""
     rounds = max(2, 20000 // n)
 
@@ -90,7 +90,7 @@ def envpool_runner(name: str, n: int) -> Runner:
         else rng.integers(0, 2, n).astype(np.int32)
         for _ in range(ACTIONS)
     ]
-    return stepping(envs, actions, n)
+    return stepping_runner(envs, actions, n)
 
 
 def gymnax_runner(name: str, n: int) -> Runner:
@@ -144,8 +144,10 @@ def peers_of_many(n: int) -> dict[str, Runner]:
 
 def table_of_one(seconds: float) -> list[str]:
     """Table of `env.step` with the default wrappers."""
-    peers = {name: one(gym.make(name)) for name in ("Pendulum-v1", "Acrobot-v1", "CartPole-v1")}
-    ours = {f"{HELI} {plant}": one(gym.make(HELI, plant=plant)) for plant in ("nominal", "lab", "rigid", "fleet")}
+    peers = {name: single_runner(gym.make(name)) for name in ("Pendulum-v1", "Acrobot-v1", "CartPole-v1")}
+    ours = {
+        f"{HELI} {plant}": single_runner(gym.make(HELI, plant=plant)) for plant in ("nominal", "lab", "rigid", "fleet")
+    }
     found = rates(peers | ours, seconds)
     lines = ["| one environment | steps/s | of Pendulum-v1 |", "|---|---|---|"]
     return lines + [f"| {name} | {rate:,.0f} | {rate / found['Pendulum-v1']:.2f} |" for name, rate in found.items()]
@@ -154,9 +156,9 @@ def table_of_one(seconds: float) -> list[str]:
 def table_of_many(n: int, seconds: float, threads: int) -> list[str]:
     """Table of steps of n environments at once, Heli3DOF-v0 with the given number of threads."""
     cartpole = "CartPole-v1, Gymnasium's own"
-    runners = {cartpole: many(gym.make_vec("CartPole-v1", n, "vector_entry_point"), n)}
+    runners = {cartpole: vector_runner(gym.make_vec("CartPole-v1", n, "vector_entry_point"), n)}
     if n <= 64:
-        runners["Pendulum-v1, SyncVectorEnv"] = many(gym.make_vec("Pendulum-v1", n, "sync"), n)
+        runners["Pendulum-v1, SyncVectorEnv"] = vector_runner(gym.make_vec("Pendulum-v1", n, "sync"), n)
     runners |= peers_of_many(n)
     for plant, dtype in (
         ("nominal", "float64"),
@@ -167,7 +169,7 @@ def table_of_many(n: int, seconds: float, threads: int) -> list[str]:
     ):
         for lockstep in (True, False):
             name = f"{HELI} {plant}, {dtype}" + ("" if lockstep else ", spread over the maneuver")
-            runners[name] = many(gym.make_vec(HELI, n, plant=plant, dtype=dtype, threads=threads), n, lockstep)
+            runners[name] = vector_runner(gym.make_vec(HELI, n, plant=plant, dtype=dtype, threads=threads), n, lockstep)
     found = rates(runners, seconds)
     acrobot = found.get("Acrobot-v1, EnvPool, 1 thread", math.nan)
     lines = [

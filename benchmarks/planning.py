@@ -52,7 +52,7 @@ def median(function: Callable[[], Any], args: Args) -> float:
     return float(np.median(times))
 
 
-def collocated(problem: ConstrainedProblem, guess: Solution, analytic: bool) -> Any:
+def solve_by_bvp(problem: ConstrainedProblem, guess: Solution, analytic: bool) -> Any:
     """Solve (38) by scipy's `solve_bvp`, related to the paper's bvp4c."""
     start, goal = problem.ends()
     jacobians: dict[str, Any] = {}
@@ -144,8 +144,8 @@ def planning(args: Args) -> dict[str, float]:
         "  of which that guess": median(shooting_guess, args),
         "  of which (38) from the plan in 10.1 s": median(lambda: solve_near(maneuver, near), args),
         "plan(method='paper', near=the plan in 10.1 s)": median(lambda: plan(maneuver, "paper", near=near), args),
-        "(38), solve_bvp, analytic Jacobians": median(lambda: collocated(problem, guess, True), args),
-        "(38), solve_bvp, without Jacobians": median(lambda: collocated(problem, guess, False), args),
+        "(38), solve_bvp, analytic Jacobians": median(lambda: solve_by_bvp(problem, guess, True), args),
+        "(38), solve_bvp, without Jacobians": median(lambda: solve_by_bvp(problem, guess, False), args),
         "(38), compiled RK4, 400 steps, and fsolve": median(lambda: fsolve(end, np.zeros(6), xtol=1e-7), args),
         "CasADi, collocation, IPOPT, built and solved": median(lambda: collocate(maneuver, "effort"), args),
         "CasADi, multiple shooting, IPOPT, solved": median(multiple_shooting(maneuver, "ipopt"), args),

@@ -79,7 +79,7 @@ def command(program: str) -> Iterator[None]:
     except KeyboardInterrupt as error:
         end(program, "; ".join(("interrupted", *map(str, error.args))), 130)
     except ImportError as error:
-        end(program, missing(error), 2)
+        end(program, missing_package(error), 2)
     except OSError as error:
         if error.filename is None:
             discard_output()  # most likely it was standard output that failed
@@ -87,14 +87,14 @@ def command(program: str) -> Iterator[None]:
     except (ValueError, ArithmeticError) as error:
         end(program, str(error), 2)
     except (RuntimeError, MemoryError) as error:
-        end(program, str(error) or type(error).__name__, 2 if refuses(error) else 1)
+        end(program, str(error) or type(error).__name__, 2 if is_input_error(error) else 1)
     except Exception as error:
-        if not refuses(error):
+        if not is_input_error(error):
             raise
         end(program, str(error), 2)
 
 
-def refuses(error: Exception) -> bool:
+def is_input_error(error: Exception) -> bool:
     """Whether an exception other than ValueError means bad input: a maneuver, a missing library, a damaged file."""
     return type(error).__name__ in ("InfeasibleManeuver", "DependencyNotInstalled", "SafetensorError", "BadZipFile")
 
@@ -117,7 +117,7 @@ def describe(error: OSError) -> str:
     return reason if error.filename is None else f"{os.fsdecode(error.filename)}: {reason}"
 
 
-def missing(error: ImportError) -> str:
+def missing_package(error: ImportError) -> str:
     """Message that names the missing package and the extra that installs it."""
     module = (error.name or "").partition(".")[0]
     for requirement in metadata.requires("heli-gym") or ():

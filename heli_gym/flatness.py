@@ -60,9 +60,9 @@ def replanned(reference: Trajectory, rig: Rig) -> Trajectory:
         x[2:4] *= -1.0
     resting = np.flatnonzero(np.abs(x[[1, 3, 4, 5]]).max(axis=0) <= AT_REST)
     if len(resting) == 0 or resting[0] != 0 or resting[-1] != len(reference.t) - 1:
-        return slowed(shape_of(reference.t, x), reference.duration, rig)
+        return slowed(motion_of_samples(reference.t, x), reference.duration, rig)
     legs = [
-        slowed(rise_between(x[0::2, a], x[0::2, b]), float(reference.t[b] - reference.t[a]), rig)
+        slowed(rest_to_rest_motion(x[0::2, a], x[0::2, b]), float(reference.t[b] - reference.t[a]), rig)
         for a, b in pairwise(resting)
     ]
     whole = legs[0]
@@ -71,7 +71,7 @@ def replanned(reference: Trajectory, rig: Rig) -> Trajectory:
     return whole
 
 
-def rise_between(start: np.ndarray, goal: np.ndarray) -> Motion:
+def rest_to_rest_motion(start: np.ndarray, goal: np.ndarray) -> Motion:
     """Rest-to-rest motion between angles (3,): travel and elevation, (3, K) each, over a duration in s."""
 
     def motion(t: np.ndarray, duration: float) -> tuple[np.ndarray, np.ndarray]:
@@ -84,7 +84,7 @@ def rise_between(start: np.ndarray, goal: np.ndarray) -> Motion:
     return motion
 
 
-def shape_of(times: np.ndarray, x: np.ndarray) -> Motion:
+def motion_of_samples(times: np.ndarray, x: np.ndarray) -> Motion:
     """Motion with the travel and elevation of the states (6, K) at the times (K,), scaled to any duration."""
     splines = [make_interp_spline(times / times[-1], x[row], k=5) for row in (0, 2)]
 

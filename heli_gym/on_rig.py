@@ -34,13 +34,13 @@ def plant_on_rig(plant: str | Plant, rig: Rig) -> Plant:
         changes["rig"] = OneOf(bodies)
         # the rigid-body equations lack the viscous friction of (3), so it moves into the plant's friction
         changes["friction"] = Friction(
-            tuple(map(shifted, found.friction.viscous, rig.parameters[-3:])),  # type: ignore[arg-type]
+            tuple(map(shift, found.friction.viscous, rig.parameters[-3:])),  # type: ignore[arg-type]
             found.friction.coulomb,
         )
     return replace(found, **changes)
 
 
-def shifted(value: Any, by: float) -> Any:
+def shift(value: Any, by: float) -> Any:
     """A number or a range, increased by a constant."""
     return Uniform(value.low + by, value.high + by) if isinstance(value, Uniform) else value + by
 

@@ -117,7 +117,7 @@ def join(*meshes: Mesh) -> Mesh:
     )
 
 
-def moved(mesh: Mesh, rotation: np.ndarray, to: ArrayLike = (0.0, 0.0, 0.0)) -> Mesh:
+def transform(mesh: Mesh, rotation: np.ndarray, to: ArrayLike = (0.0, 0.0, 0.0)) -> Mesh:
     """Rotate a mesh about the origin, then shift it."""
     return mesh._replace(vertices=rotation @ mesh.vertices + np.reshape(to, (3, 1)))
 
@@ -203,7 +203,9 @@ def parts() -> dict[str, Mesh]:
 def helicopter(at: Pose) -> Mesh:
     """Mesh of the moving parts in world coordinates."""
     mesh = parts()
-    return join(moved(mesh["yoke"], at.yoke), moved(mesh["arm"], at.arm), moved(mesh["body"], at.body, at.hinge))
+    return join(
+        transform(mesh["yoke"], at.yoke), transform(mesh["arm"], at.arm), transform(mesh["body"], at.body, at.hinge)
+    )
 
 
 def circle(radius: float, points: int = 64, start: float = 0.0, end: float = 2.0 * math.pi) -> np.ndarray:
@@ -391,7 +393,9 @@ class Renderer:
     def _behind(self, scene: RenderState) -> None:
         """Draw path, shadow and ghost, translucent and behind the rig, so that the rig stays clear."""
         self.overlay.fill((0, 0, 0, 0), self.touched)
-        areas = [self._floor(self.overlay, sector(RIG.l_h - 0.02, RIG.l_h + 0.02, *flown(scene), 90), WAY_FLOWN)]
+        areas = [
+            self._floor(self.overlay, sector(RIG.l_h - 0.02, RIG.l_h + 0.02, *travel_interval(scene), 90), WAY_FLOWN)
+        ]
         areas += [self._floor(self.overlay, shadow, SHADOW) for shadow in shadows(pose(scene.state))]
         areas += self._solids(self.overlay, helicopter(pose(scene.reference)), [], GHOSTLY)
         self.touched = areas[0].unionall(areas[1:])
@@ -437,7 +441,7 @@ class Renderer:
 
     def _needles(self, scene: RenderState) -> None:
         """Draw the dials of travel (from above), elevation (from the side) and pitch (from the pivot outwards)."""
-        ring = sector(DIAL - 4.0, DIAL, *flown(scene), 90)
+        ring = sector(DIAL - 4.0, DIAL, *travel_interval(scene), 90)
         self._shape(self.canvas, TRAVEL_DIAL + ring * [[1.0], [-1.0]], WAY)
         inner = DIAL - 7.0
         for values, colour in ((scene.reference, GHOST), (scene.state, INK)):
@@ -514,7 +518,7 @@ class Renderer:
         return self.pygame.draw.polygon(surface, colour, project(raised, self.camera)[0].T.tolist())
 
 
-def flown(scene: RenderState) -> tuple[float, float]:
+def travel_interval(scene: RenderState) -> tuple[float, float]:
     """Interval of travel in rad flown since the start, at most one turn."""
     start, now = scene.travel_start, scene.state[0]
     return start, start + min(max(now - start, -2.0 * math.pi), 2.0 * math.pi)

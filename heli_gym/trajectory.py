@@ -59,7 +59,7 @@ class Maneuver:
                 object.__setattr__(self, f"{end}_state", tuple(x.tolist()))
                 object.__setattr__(self, end, (float(x[0]), float(x[2])))
         if self.floor is not None:
-            object.__setattr__(self, "floor", checked_floor(self.floor))
+            object.__setattr__(self, "floor", validate_floor(self.floor))
         if not isinstance(self.limits, Limits | None):
             raise ValueError(f"limits = {self.limits!r}: must be a Limits")
         rig = None if self.rig is None else find_rig(self.rig)
@@ -118,7 +118,7 @@ class Maneuver:
         )
 
 
-def checked_floor(floor: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
+def validate_floor(floor: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return the floor as tuples of floats. Raises ValueError unless its travel increases."""
     try:
         travel, elevation = (np.asarray(row, dtype=float) for row in floor)

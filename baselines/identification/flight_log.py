@@ -179,13 +179,13 @@ class FlightLog:
         values = {name: column(held, name, merged, path) for name in known if is_wanted(held, name, merged["columns"])}
         for name in ("t", *ANGLES):
             if name not in values:
-                raise ValueError(lacks(path, name, held))
+                raise ValueError(missing_column(path, name, held))
         if all(name in values for name in SUM_AND_DIFFERENCE):
             total, difference = (values.pop(name) for name in SUM_AND_DIFFERENCE)
             values["u_front"], values["u_back"] = 0.5 * (total + difference), 0.5 * (total - difference)
         for name in VOLTAGES:
             if name not in values:
-                raise ValueError(lacks(path, name, held))
+                raise ValueError(missing_column(path, name, held))
         t, angles, voltages, references = on_even_grid(values, sample_time, path)
         return cls(t, angles, voltages, references, path.stem)
 
@@ -195,7 +195,7 @@ def is_wanted(held: Mapping[str, np.ndarray], name: str, columns: Mapping[str, s
     return name in columns or name in held or (name == "t" and any(other in held for other in TIME_NAMES))
 
 
-def lacks(path: Path, name: str, held: Mapping[str, np.ndarray]) -> str:
+def missing_column(path: Path, name: str, held: Mapping[str, np.ndarray]) -> str:
     """Error message about a missing column."""
     contents = ", ".join(f"{key} {value.shape}" if value.ndim > 1 else key for key, value in held.items())
     return (
@@ -224,7 +224,7 @@ def column(
             )
         value = table[int(index)]
     else:
-        raise ValueError(lacks(path, name, held).replace(f"for {name!r}", f"{key!r} for {name!r}"))
+        raise ValueError(missing_column(path, name, held).replace(f"for {name!r}", f"{key!r} for {name!r}"))
     if value.ndim != 1:
         raise ValueError(
             f"columns: {name} = {key!r}: must be one series, but has the shape {value.shape}; try {key}[0]"
@@ -388,7 +388,7 @@ def on_even_grid(values: dict[str, np.ndarray], sample_time: float | None, path:
     grid = np.arange(math.floor((t[-1] - t[0]) / sample_time + 1e-6) + 1) * sample_time
     if len(grid) < 3:
         raise ValueError(f"{str(path)!r} must be longer than two samples of {sample_time:g} s")
-    angles = np.array([np.interp(grid, t - t[0], turned(values, name)) for name in ANGLES])
+    angles = np.array([np.interp(grid, t - t[0], unwrapped_angle(values, name)) for name in ANGLES])
     # increments of the integral of the held voltages are their means over the steps
     ends = np.append(t - t[0], t[-1] - t[0] + max(own, sample_time))
     voltages = np.empty((2, len(grid)))
@@ -399,6 +399,6 @@ def on_even_grid(values: dict[str, np.ndarray], sample_time: float | None, path:
     return grid, angles, voltages, references
 
 
-def turned(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
+def unwrapped_angle(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
     """Return an angle; travel is unwrapped if it jumps by a turn."""
     return np.unwrap(values[name]) if name == "travel" else values[name]

@@ -61,18 +61,18 @@ def shooting_kernel() -> Callable:
         now = (Y[0, 0], Y[1, 0], Y[2, 0], Y[3, 0], Y[4, 0], Y[5, 0])
         for n in range(last + 1):
             tau = n * each
-            d1 = linearised(tau, now, V, p, pitch_bounds, f, parameters, k1)
+            d1 = variational_equation(tau, now, V, p, pitch_bounds, f, parameters, k1)
             for i in range(6):
                 Y[i, n], dY[i, n] = now[i], d1[i]
             if n == last:
                 break
             middle = tau + 0.5 * each
             add_scaled(V, 0.5 * h, k1, W)
-            d2 = linearised(middle, axpy(now, 0.5 * h, d1), W, p, pitch_bounds, f, parameters, k2)
+            d2 = variational_equation(middle, axpy(now, 0.5 * h, d1), W, p, pitch_bounds, f, parameters, k2)
             add_scaled(V, 0.5 * h, k2, W)
-            d3 = linearised(middle, axpy(now, 0.5 * h, d2), W, p, pitch_bounds, f, parameters, k3)
+            d3 = variational_equation(middle, axpy(now, 0.5 * h, d2), W, p, pitch_bounds, f, parameters, k3)
             add_scaled(V, h, k3, W)
-            d4 = linearised(tau + each, axpy(now, h, d3), W, p, pitch_bounds, f, parameters, k4)
+            d4 = variational_equation(tau + each, axpy(now, h, d3), W, p, pitch_bounds, f, parameters, k4)
             now = axpy(axpy(axpy(axpy(now, h / 6.0, d1), h / 3.0, d2), h / 3.0, d3), h / 6.0, d4)
             for i in range(6):
                 for j in range(7):
@@ -91,7 +91,7 @@ def shooting_kernel() -> Callable:
     return jit_cached(shoot, fast=True)
 
 
-def linearised(tau, Y, V, p, pitch_bounds, f, parameters, dV):
+def variational_equation(tau, Y, V, p, pitch_bounds, f, parameters, dV):
     """Time derivative of the states Y (6,) of (38) at a share tau of the duration, under (39).
 
     Fills in the derivative dV of V (6, 7), first-order changes of the states; the first six are by the parameters.
@@ -183,14 +183,14 @@ def solve_newton(problem: ConstrainedProblem, nodes: np.ndarray, p: np.ndarray, 
         for _ in range(ITERATIONS):
             if np.abs(now.defects).max() < CLOSE[steps]:
                 return now
-            new = improved(now, shoot)
+            new = newton_step(now, shoot)
             if new is None:
                 return None
             now = new
     return None
 
 
-def improved(now: Shot, shoot: Callable[[np.ndarray, np.ndarray], Shot]) -> Shot | None:
+def newton_step(now: Shot, shoot: Callable[[np.ndarray, np.ndarray], Shot]) -> Shot | None:
     """Next iterate by a full or damped Newton step that reduces the defects enough; None if none does."""
     by_p, by_missed = now.sensitivity[:, :, :6], now.sensitivity[:, :, 6]
     try:
@@ -248,14 +248,14 @@ def unconstrained_guess(maneuver: Maneuver) -> Solution | None:
         defects = weights @ ddeta - [0.0, maneuver.goal[0] - maneuver.start[0]]
         if np.abs(defects).max() < 1e-9:
             decay = np.exp(damping * T * share)
-            deta = integrated(decay * ddeta, h) / decay
-            eta = maneuver.start[0] + integrated(deta, h)
+            deta = cumulative_integral(decay * ddeta, h) / decay
+            eta = maneuver.start[0] + cumulative_integral(deta, h)
             return Solution(T * share[::SEARCH], np.stack((eta, deta))[:, ::SEARCH], p)
         p = p - np.linalg.solve(weights @ by_p.T, defects)
     return None
 
 
-def integrated(rate: np.ndarray, h: float) -> np.ndarray:
+def cumulative_integral(rate: np.ndarray, h: float) -> np.ndarray:
     """Integral (K,) of a rate (K,) sampled every h, by the trapezoidal rule."""
     rise = np.zeros(len(rate))
     np.cumsum(0.5 * h * (rate[:-1] + rate[1:]), out=rise[1:])
@@ -288,17 +288,17 @@ def guess_from(problem: ConstrainedProblem, near: Trajectory) -> tuple[np.ndarra
     return np.stack((y1, dy1, xi1, xi2, eta, deta))[:, ::SEARCH], np.concatenate(fitted)
 
 
-def unchecked() -> None:
+def no_check() -> None:
     """Do nothing: the default check, which never ends a search."""
 
 
-def solve_by_shooting(maneuver: Maneuver, check: Callable[[], None] = unchecked) -> Solution | None:
+def solve_by_shooting(maneuver: Maneuver, check: Callable[[], None] = no_check) -> Solution | None:
     """Solve (38) from the paper's initial guess; None if no solution is found.
 
     If the guess fails, the search starts from a solution for a longer duration and shortens it step by step to the
     requested one. An exception from `check` ends the search.
     """
-    duration, found = first_shot(maneuver, check)
+    duration, found = solve_longer(maneuver, check)
     step = FARTHEST
     while found is not None and duration > maneuver.duration:
         shorter = max((1.0 - step) * duration, maneuver.duration)
@@ -311,17 +311,17 @@ def solve_by_shooting(maneuver: Maneuver, check: Callable[[], None] = unchecked)
         else:
             step *= 0.5
             found = found if step > NEAREST else None
-    return found and refined(ConstrainedProblem(maneuver, check), found)
+    return found and refine(ConstrainedProblem(maneuver, check), found)
 
 
-def solve_near(maneuver: Maneuver, near: Trajectory, check: Callable[[], None] = unchecked) -> Solution | None:
+def solve_near(maneuver: Maneuver, near: Trajectory, check: Callable[[], None] = no_check) -> Solution | None:
     """Solve (38) with a plan of a similar maneuver as the initial guess; None if that fails."""
     problem = ConstrainedProblem(maneuver, check)
     found = solve_newton(problem, *guess_from(problem, near))
-    return found and refined(problem, found)
+    return found and refine(problem, found)
 
 
-def first_shot(maneuver: Maneuver, check: Callable[[], None]) -> tuple[float, Shot | None]:
+def solve_longer(maneuver: Maneuver, check: Callable[[], None]) -> tuple[float, Shot | None]:
     """First of the durations STRETCHES times the maneuver's for which the paper's guess converges, and its solution."""
     for stretch in STRETCHES:
         longer = replace(maneuver, duration=stretch * maneuver.duration)
@@ -335,7 +335,7 @@ def first_shot(maneuver: Maneuver, check: Callable[[], None]) -> tuple[float, Sh
     return math.inf, None
 
 
-def refined(problem: ConstrainedProblem, found: Shot) -> Solution | None:
+def refine(problem: ConstrainedProblem, found: Shot) -> Solution | None:
     """Refine a solution with FINE steps per segment; None if that fails."""
     fine = solve_newton(problem, found.nodes, found.p, FINE)
     if fine is None:

@@ -132,7 +132,7 @@ def constrain_way(problem: Any, maneuver: Maneuver, X: Any, F: Any, h: Any, tigh
         if rate is not None:
             problem.subject_to(problem.bounded(reserve[name] - rate, X[row, :].T, rate - reserve[name]))
     if path.floor is not None:
-        floor = ca.interpolant("floor", "linear", [padded(path.floor[0])], np.pad(path.floor[1], 1, mode="edge"))
+        floor = ca.interpolant("floor", "linear", [pad_travel(path.floor[0])], np.pad(path.floor[1], 1, mode="edge"))
         problem.subject_to(X[2, :] <= floor.map(X.shape[1])(X[0, :]) - reserve["floor"])
     if path.slew is not None:
         slope = float(np.min(rig.thrust_slope(rig.hover_voltage(maneuver.goal[1]))))
@@ -140,7 +140,7 @@ def constrain_way(problem: Any, maneuver: Maneuver, X: Any, F: Any, h: Any, tigh
         problem.subject_to(problem.bounded(-most, ca.vec(F[:, 1:] - F[:, :-1]) / h, most))
 
 
-def padded(travel: np.ndarray) -> np.ndarray:
+def pad_travel(travel: np.ndarray) -> np.ndarray:
     """Append a point far outside at each end of a floor's travel."""
     return np.concatenate((travel[:1] - FAR, travel, travel[-1:] + FAR))
 
@@ -159,7 +159,7 @@ def collocated_trajectory(
         found = collocate(tight, objective, INTERVALS, found, left, tighter)
         if found is None:
             return None
-        trajectory = sampled(replace(maneuver, duration=float(found.t[-1])), found)
+        trajectory = sample(replace(maneuver, duration=float(found.t[-1])), found)
         pitch, (low, high) = trajectory.x[4], maneuver.limits.pitch
         excess = max(low - pitch.min(), pitch.max() - high) + RESERVE
         over = {n: e for n, e in excesses(maneuver, trajectory.t, trajectory.x, trajectory.u).items() if e > 0.0}
@@ -177,7 +177,7 @@ def collocated_trajectory(
     return None
 
 
-def sampled(maneuver: Maneuver, found: Collocation) -> Trajectory:
+def sample(maneuver: Maneuver, found: Collocation) -> Trajectory:
     """Sample a solution: thrusts linear and states cubic between the nodes."""
     p, t = maneuver.parameters, sample_times(maneuver)
     f = np.clip([np.interp(t, found.t, row) for row in found.f], *maneuver.rig.thrust_bounds(maneuver.limits.u))

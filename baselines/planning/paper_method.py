@@ -29,7 +29,7 @@ def plan_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
         maneuver, solve_from_unconstrained(maneuver, clock), clock
     )
     if trajectory is None:
-        trajectory, found = shortened(maneuver, clock)
+        trajectory, found = shorten(maneuver, clock)
         if trajectory is None:
             trajectory = hover_after_fastest(maneuver, clock)
         if trajectory is None:
@@ -39,7 +39,7 @@ def plan_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 def plan_fastest_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Plan of Section III-D of the shortest duration found."""
-    _, found = shortened(replace(maneuver, duration=SHORTEST), clock)
+    _, found = shorten(replace(maneuver, duration=SHORTEST), clock)
     fastest = shortest_checked(maneuver, found, clock)
     if fastest is None or fastest.duration > maneuver.duration:
         raise infeasible(maneuver, fastest, clock)
@@ -48,7 +48,7 @@ def plan_fastest_paper(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 def hover_after_fastest(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
     """Fastest plan followed by hover, if it is shorter than requested; None otherwise."""
-    _, found = shortened(replace(maneuver, duration=SHORTEST), clock)
+    _, found = shorten(replace(maneuver, duration=SHORTEST), clock)
     fastest = shortest_checked(maneuver, found, clock)
     if fastest is None or fastest.duration > maneuver.duration:
         return None
@@ -77,7 +77,7 @@ def solve_from_unconstrained(maneuver: Maneuver, clock: TimeLimit | None = None)
     return problem.solve(problem.guess(unconstrained.stretched(maneuver.duration)))
 
 
-def shortened(maneuver: Maneuver, clock: TimeLimit) -> tuple[Trajectory | None, list[Solution]]:
+def shorten(maneuver: Maneuver, clock: TimeLimit) -> tuple[Trajectory | None, list[Solution]]:
     """Shorten a solution to the maneuver's duration by homotopy, in steps that halve after a failure.
 
     The sequence of durations is independent of the maneuver's until it comes near it, so that a method that succeeds

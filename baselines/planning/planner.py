@@ -187,10 +187,10 @@ def plan_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 def plan_fastest_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Fastest spline, otherwise the fastest plan by another method."""
-    return first_of(("spline", "collocation", "flat", "paper"), FASTEST, maneuver, clock)
+    return first_plan(("spline", "collocation", "flat", "paper"), FASTEST, maneuver, clock)
 
 
-def first_of(names: tuple[str, ...], methods: dict, maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
+def first_plan(names: tuple[str, ...], methods: dict, maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Plan of the first method that finds one; the first error with a shortest duration ends the search."""
     refusals = []
     for name in names:

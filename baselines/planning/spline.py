@@ -253,7 +253,9 @@ def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[
     return names, rows, low, high
 
 
-def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -> tuple[Spline, Trajectory] | None:
+def solve_within_limits(
+    maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD
+) -> tuple[Spline, Trajectory] | None:
     """Optimal spline and its trajectory within the limits; None if there is none. `optimum` is `smoothest` or another.
 
     Path constraints are added when a plan first violates them, and bounds are tightened by the excess of a plan between
@@ -266,10 +268,10 @@ def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -
     for _ in range(TIGHTENINGS):
         spline = optimum(maneuver, start, Bounds((low, high), on_the_way, tighter, slopes), barrier)
         if spline is None and over:
-            spline = approached(maneuver, optimum, start, Bounds((low, high), on_the_way, over, slopes))
+            spline = solve_by_homotopy(maneuver, optimum, start, Bounds((low, high), on_the_way, over, slopes))
         if spline is None:
             return None
-        t, x, f = sampled(maneuver, spline)
+        t, x, f = sample(maneuver, spline)
         below, above = limits[0] - f.min(), f.max() - limits[1]
         u = maneuver.rig.voltage(np.clip(f, *limits))
         over = {name: excess for name, excess in excesses(maneuver, t, x, u).items() if excess > 0.0}
@@ -284,7 +286,7 @@ def planned(maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD) -
     return None
 
 
-def approached(maneuver: Maneuver, optimum, start: Spline, bounds: Bounds) -> Spline | None:
+def solve_by_homotopy(maneuver: Maneuver, optimum, start: Spline, bounds: Bounds) -> Spline | None:
     """Optimum from a start that violates path constraints, by homotopy: their excess is reduced in steps."""
     for share in APPROACH:
         looser = {name: -share * excess for name, excess in bounds.tighter.items()}
@@ -295,7 +297,7 @@ def approached(maneuver: Maneuver, optimum, start: Spline, bounds: Bounds) -> Sp
     return start
 
 
-def sampled(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def sample(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Times (K,), states (6, K) and thrusts (2, K) of a spline."""
     from heli_gym.baselines.planning.spline_kernel import compiled, interpolate, thrusts_along
 
@@ -325,7 +327,7 @@ def sampled(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray,
 def plan_smoothest(maneuver: Maneuver, optimum: Callable = smoothest) -> Trajectory | None:
     """Plan for an objective in the maneuver's duration, from the initial guess, with the fewest segments that work."""
     for segments in SEGMENTS:
-        found = planned(maneuver, optimum, guess(maneuver, maneuver.duration, segments))
+        found = solve_within_limits(maneuver, optimum, guess(maneuver, maneuver.duration, segments))
         if found is not None:
             return found[1]
     return None
@@ -334,7 +336,7 @@ def plan_smoothest(maneuver: Maneuver, optimum: Callable = smoothest) -> Traject
 def plan_near(maneuver: Maneuver, near: Trajectory) -> Trajectory | None:
     """Smoothest plan in the maneuver's duration, from a plan of a similar maneuver."""
     for segments in SEGMENTS:
-        found = planned(maneuver, smoothest, guess_from(maneuver, near, segments), WARM)
+        found = solve_within_limits(maneuver, smoothest, guess_from(maneuver, near, segments), WARM)
         if found is not None:
             return found[1]
     return None
@@ -360,7 +362,7 @@ def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline,
             check()
             if len(start.coefficients) - REST < segments:
                 start = refined(start)
-            found = planned(maneuver, fastest, start, barrier) or found
+            found = solve_within_limits(maneuver, fastest, start, barrier) or found
             if found is not None:
                 start, barrier = found[0], WARM
         if found is not None:
@@ -374,7 +376,7 @@ def plan_lengthened(maneuver: Maneuver, start: Spline, check: Callable[[], None]
     while share > LEAST_STRETCH:
         check()
         duration = start.duration ** (1.0 - share) * maneuver.duration**share
-        found = planned(replace(maneuver, duration=duration), smoothest, start, LUKEWARM)
+        found = solve_within_limits(replace(maneuver, duration=duration), smoothest, start, LUKEWARM)
         if found is None:
             share *= 0.5
         elif share == 1.0:

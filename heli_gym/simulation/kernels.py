@@ -57,10 +57,10 @@ def command(block: Any, n: int, s: Settings, actions: Any, first: int) -> None:
     for i in range(n):
         front, back = actions[2 * (first + i)], actions[2 * (first + i) + 1]
         hover_f, hover_b = two(block, HOVER, i)
-        put_two(block, COMMAND, i, (saturated(front, hover_f, s), saturated(back, hover_b, s)))
+        put_two(block, COMMAND, i, (saturated_voltage(front, hover_f, s), saturated_voltage(back, hover_b, s)))
 
 
-def saturated(action: Any, hover: Any, s: Settings) -> Any:
+def saturated_voltage(action: Any, hover: Any, s: Settings) -> Any:
     """Voltage of an action, within the limits of the amplifier."""
     u = to_voltage(min(max(action, -1.0), 1.0), (s.u_low, s.u_high), hover)
     return min(max(u, s.u_low), s.u_high)  # exceeded by rounding only
@@ -77,7 +77,9 @@ def control_step(block: Any, n: int, s: Settings, table: Any) -> None:
     compute_reward(block, n, s)
 
 
-def report(block: Any, n: int, s: Settings, table: Any, first: int, count: int, observation: Any, outputs: Any) -> None:
+def write_block(
+    block: Any, n: int, s: Settings, table: Any, first: int, count: int, observation: Any, outputs: Any
+) -> None:
     """Write observations and outputs of n helicopters, starting at index `first` of `count`."""
     for row in range(len(outputs) // count):
         own = outputs[row * count + first : row * count + first + n]
@@ -99,14 +101,14 @@ def observe(block: Any, i: int, s: Settings, table: Any, features: int, observat
     measured = six(block, MEASURED, i) if s.is_sensed > 0.0 else six(block, X, i)
     x_ref = (table[at], table[at + 1], table[at + 2], table[at + 3], table[at + 4], table[at + 5])
     e1, e2, e3, e4, e5, e6 = observed_error(axpy(measured, -1.0, x_ref))
-    observation[to], observation[to + 1] = bounded(e1), bounded(e2)
-    observation[to + 2], observation[to + 3] = bounded(e3), bounded(e4)
-    observation[to + 4], observation[to + 5] = bounded(e5), bounded(e6)
+    observation[to], observation[to + 1] = saturate(e1), saturate(e2)
+    observation[to + 2], observation[to + 3] = saturate(e3), saturate(e4)
+    observation[to + 4], observation[to + 5] = saturate(e5), saturate(e6)
     u_f, u_b = two(block, COMMAND, i)
-    observation[to + 6], observation[to + 7] = bounded(observed_voltage(u_f)), bounded(observed_voltage(u_b))
+    observation[to + 6], observation[to + 7] = saturate(observed_voltage(u_f)), saturate(observed_voltage(u_b))
 
 
-def bounded(value: Any) -> Any:
+def saturate(value: Any) -> Any:
     """Entry of an observation, saturated."""
     return min(max(value, -OBSERVATION_LIMIT), OBSERVATION_LIMIT)
 
@@ -189,7 +191,7 @@ def step(
         n = min(LANES, count - first)
         command(block, n, s, actions, first)
         control_step(block, n, s, table)
-        report(block, n, s, table, first, count, observation, outputs)
+        write_block(block, n, s, table, first, count, observation, outputs)
         for i in range(n):
             over += block[TERMINATED * ROW + i] + block[TRUNCATED * ROW + i]
     return int(over)
@@ -208,9 +210,9 @@ def step_one(memory: Any, front: Any, back: Any, observation: Any, outputs: Any)
     size = ROW * count_rows(s)
     block, table = memory[SETTINGS : SETTINGS + size], memory[SETTINGS + size :]
     hover_f, hover_b = two(block, HOVER, 0)
-    put_two(block, COMMAND, 0, (saturated(front, hover_f, s), saturated(back, hover_b, s)))
+    put_two(block, COMMAND, 0, (saturated_voltage(front, hover_f, s), saturated_voltage(back, hover_b, s)))
     control_step(block, 1, s, table)
-    report(block, 1, s, table, 0, 1, observation, outputs)
+    write_block(block, 1, s, table, 0, 1, observation, outputs)
     if s.is_sensed == 0.0:
         for k in range(6):
             outputs[MEASURED + k] = outputs[X + k]
@@ -234,7 +236,7 @@ LOOPS = (
     measure,
     look_up_reference,
     compute_reward,
-    report,
+    write_block,
 )
 
 

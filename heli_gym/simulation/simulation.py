@@ -61,7 +61,7 @@ SUBSTEP = 10e-3  # s, largest integration step of plants beyond (3)
 STABLE = 0.5  # largest product of an integration step and the rate at which friction damps an axis
 
 
-def numbers(p: Plant, s: Settings) -> list:
+def plant_values(p: Plant, s: Settings) -> list:
     """Values of the rows `plant_rows` for a plant without ranges."""
     rows = [number for quantity in QUANTITIES.values() if quantity.of_plant for number in quantity.of_plant(p)]
     for value in p.disturbances:
@@ -117,7 +117,7 @@ def ranges_of(p: Plant, s: Settings) -> tuple[np.ndarray, np.ndarray, np.ndarray
     ends = np.concatenate((np.zeros((1, p.uniforms)), np.eye(p.uniforms)[1:]))[:, 1:]
     # values of each alternative with all uniforms zero, then with each uniform in turn set to one
     corners = np.array(
-        [[numbers(plant.at_uniforms(q, iter(u)), s) for u in ends.tolist()] for q in p.alternatives], float
+        [[plant_values(plant.at_uniforms(q, iter(u)), s) for u in ends.tolist()] for q in p.alternatives], float
     )
     low = corners[:, 0]
     changed = corners[:, 1:] != low[:, None]
@@ -127,7 +127,7 @@ def ranges_of(p: Plant, s: Settings) -> tuple[np.ndarray, np.ndarray, np.ndarray
     return low, span, index
 
 
-def stacked_ranges(plants: Sequence[Plant], s: Settings) -> Ranges:
+def stack_ranges(plants: Sequence[Plant], s: Settings) -> Ranges:
     """Ranges of all plants."""
     groups = group_by_identity(plants)
     each = [ranges_of(p, s) for p, _ in groups]
@@ -215,7 +215,7 @@ class Simulation:
             random_start=random_start,
         )
         self.outputs = N_OUTPUTS_SENSED if settings.is_sensed else N_OUTPUTS  # rows
-        self.ranges = stacked_ranges(plants, settings)
+        self.ranges = stack_ranges(plants, settings)
         drawn = start_spread > 0.0 or random_start
         self.draws = [START_PLANT + p.uniforms if drawn or p.is_noisy or p.uniforms else 0 for p in plants]
         self.uniforms = np.zeros((len(plants), START_PLANT + max(p.uniforms for p in all_plants)))
@@ -292,12 +292,12 @@ class Simulation:
         if isinstance(source, Trajectory):
             reference = source
         else:
-            reference = self.drawn[j] = self._checked(source, source(rng))
+            reference = self.drawn[j] = self._validate(source, source(rng))
         if self.draws[j]:
             self.uniforms[j, : self.draws[j]] = rng.random(self.draws[j])
         return reference
 
-    def _checked(self, source: Sampler, reference: Any) -> Trajectory:
+    def _validate(self, source: Sampler, reference: Any) -> Trajectory:
         """Return a sampled reference. Raises ValueError unless it fits the table and the pitch limit."""
         if not isinstance(reference, Trajectory):
             raise ValueError(f"reference: {source!r} drew {reference!r}; must be a Trajectory")
