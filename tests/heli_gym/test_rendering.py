@@ -31,7 +31,6 @@ from heli_gym.rendering import (
     arrow,
     box,
     circle,
-    flown,
     helicopter,
     hoop,
     normals,
@@ -40,6 +39,7 @@ from heli_gym.rendering import (
     project,
     rotors,
     shadows,
+    travel_interval,
     tube,
 )
 from heli_gym.rigid_body import mjcf
@@ -176,7 +176,7 @@ def test_an_arc_has_its_radius_and_ends():
 )
 def test_the_way_flown_is_one_turn_at_most(travel, end):
     scene = HOVER._replace(state=(travel, 0.0, 0.0, 0.0, 0.0, 0.0), travel_start=0.5)
-    assert flown(scene) == pytest.approx((0.5, end))
+    assert travel_interval(scene) == pytest.approx((0.5, end))
 
 
 # Pictures
