@@ -1,4 +1,4 @@
-"""The examples run for a few hundred steps, those whose library is installed."""
+"""The examples run for a few hundred steps if their library is installed."""
 
 import os
 import subprocess

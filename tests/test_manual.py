@@ -1,4 +1,4 @@
-"""What the manual gives a reader to type: its Python runs, its notebooks run, the files it names exist."""
+"""The manual's Python code and notebooks run, and the files it names exist."""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""How the house is built: who imports whom, what is shipped, and that nothing is unpickled."""
+"""Structure of the packages: allowed imports, shipped files, no unpickling."""
 
 import ast
 import importlib
@@ -76,7 +76,7 @@ def test_values_flow_one_way(path):
 
 
 @pytest.mark.parametrize("path", MODULES, ids=module_id)
-def test_what_a_package_imports_is_what_it_declares(path):
+def test_every_package_declares_its_imports(path):
     folder = path.relative_to(ROOT).parts[0]
     optional = PROJECT["project"]["optional-dependencies"]
     required = [*PROJECT["project"]["dependencies"], *(name for extra in EXTRAS[folder] for name in optional[extra])]
@@ -86,7 +86,7 @@ def test_what_a_package_imports_is_what_it_declares(path):
 
 
 @pytest.mark.parametrize("package", MAY_IMPORT)
-def test_every_folder_says_what_belongs_in_it_and_what_it_may_import(package):
+def test_every_folder_states_its_contents_and_its_imports(package):
     module = importlib.import_module(package)
     assert "import" in module.__doc__.lower()
 
@@ -195,7 +195,7 @@ def test_the_packaged_reference_is_the_papers_plan(paper_plan):
     assert packaged.limits == paper_plan.limits
 
 
-def test_the_packaged_reference_keeps_the_papers_limits_and_set_points():
+def test_the_packaged_reference_meets_the_papers_limits_and_set_points():
     packaged = Trajectory.load(str(files("heli_gym") / "references" / "travel-360.npz"))
     np.testing.assert_allclose(packaged.x[:, 0], 0.0, atol=1e-12)
     np.testing.assert_allclose(packaged.x[:, -1], [2.0 * np.pi, 0.0, 0.0, 0.0, 0.0, 0.0], atol=1e-12)

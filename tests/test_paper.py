@@ -71,7 +71,7 @@ def test_section_i_travel_and_elevation_are_a_flat_output(unconstrained_plan):
 # Section II: problem formulation
 
 
-def test_table_i_is_what_the_parameters_hold():
+def test_the_parameters_hold_table_i():
     assert NOMINAL._asdict() == vars(TABLE_I) | {"c1": 0.0, "c2": 0.0, "c3": 0.0}  # the paper has no friction
 
 
@@ -305,7 +305,7 @@ def test_section_iii_c_equation_23_are_the_bounds_of_the_pitch_acceleration():
     assert_allclose(normal_form.ddy2_bounds(AT, F, NOMINAL), (lower, upper))
 
 
-def test_section_iii_c_equation_24_the_planned_pitch_keeps_its_limits(paper_plan):
+def test_section_iii_c_equation_24_the_planned_pitch_stays_within_its_limits(paper_plan):
     low, high = PAPER.limits.pitch
     assert low <= paper_plan.x[4].min()
     assert paper_plan.x[4].max() <= high

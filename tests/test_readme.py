@@ -1,4 +1,4 @@
-"""What the README tells a newcomer to type."""
+"""The commands and the Python code of the README run."""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The adaptive filter: its prediction, its convergence, and the Coriolis effects that it knows of."""
+"""Adaptive filter: prediction, convergence and Coriolis effects."""
 
 import numpy as np
 import pytest
@@ -79,7 +79,7 @@ def test_the_priors_are_the_documented_ranges():
     assert_allclose(prior_moments(FilterNoise(adaptive=False))[1], 0.0)
 
 
-def test_over_a_flight_the_filter_finds_what_the_plant_has_drawn():
+def test_during_a_flight_the_filter_converges_to_the_plants_draw():
     envs = Heli3DOFVectorEnv(6, "lab", REFERENCE, start_spread_deg=5.0)
     policy = make_policy("adaptive-mpc", REFERENCE)
     envs.reset(seed=0)

@@ -1,4 +1,4 @@
-"""The collocation of the package against that of the tests, and what is said without CasADi."""
+"""Collocation of the package against that of the tests; the message without CasADi."""
 
 import math
 import subprocess
@@ -33,7 +33,7 @@ def test_least_effort_takes_less_than_other_plans():
     assert least < min(others)
 
 
-def test_what_is_impossible_is_not_found():
+def test_impossible_maneuvers_have_no_plan():
     assert collocate(Maneuver(duration=8.0), "time") is None
     assert collocate(Maneuver(duration=8.0), "effort") is None
 
@@ -43,7 +43,7 @@ def test_an_unknown_objective_is_named():
         collocate(Maneuver(), "fuel")
 
 
-def test_without_casadi_it_says_what_to_install(monkeypatch):
+def test_without_casadi_the_message_names_the_extra_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "casadi", None)
     with pytest.raises(ImportError, match=r"heli-gym\[ocp\]"):
         plan(Maneuver(), "collocation")

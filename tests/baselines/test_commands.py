@@ -1,4 +1,4 @@
-"""No command ends in a traceback: what each refuses, in one line, before it has flown or written anything."""
+"""Invalid input of every command: one line, no traceback, before any flight or file."""
 
 import importlib.util
 import os
@@ -204,9 +204,7 @@ def run(monkeypatch, program, arguments):
 @pytest.mark.parametrize(
     ("program", "arguments", "words"), CASES, ids=[" ".join((case[0], *case[1])) for case in CASES]
 )
-def test_what_is_refused_is_refused_in_one_line_and_leaves_nothing(
-    place, monkeypatch, capsys, program, arguments, words
-):
+def test_invalid_input_is_refused_in_one_line_and_leaves_nothing(place, monkeypatch, capsys, program, arguments, words):
     status = run(monkeypatch, program, arguments)
     said = capsys.readouterr().err
     status_of_the_system = said.endswith(("No such file or directory\n", "Not a directory\n", "Is a directory\n"))

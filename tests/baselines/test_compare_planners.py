@@ -1,4 +1,4 @@
-"""The comparison draws what it says, notices plans that break their promise, and writes what it found."""
+"""The comparison draws its ranges, detects violated limits, and writes its results."""
 
 import csv
 import math
@@ -15,7 +15,7 @@ from heli_gym.baselines.commands.compare_planners import Args, meets_its_limits,
 
 
 @pytest.mark.parametrize("seed", range(10))
-def test_random_maneuvers_are_within_what_the_comparison_is_about(seed):
+def test_random_maneuvers_are_within_the_ranges_of_the_comparison(seed):
     drawn = random_maneuver(np.random.default_rng(seed))
     assert abs(drawn.goal[0] - drawn.start[0]) <= math.radians(720.0)
     assert 0.0 <= drawn.limits.u_min < drawn.limits.u_max <= 12.0
@@ -23,7 +23,7 @@ def test_random_maneuvers_are_within_what_the_comparison_is_about(seed):
     assert drawn.limits.pitch_min == -drawn.limits.pitch_max
 
 
-def test_a_plan_that_keeps_its_promise_is_told_from_one_that_does_not():
+def test_violated_limits_of_a_plan_are_detected():
     requested = Maneuver()
     good = plan(requested)
     assert meets_its_limits(requested, good)
@@ -34,7 +34,7 @@ def test_a_plan_that_keeps_its_promise_is_told_from_one_that_does_not():
     assert not meets_its_limits(requested, replace(good, u=0.99 * good.u))
 
 
-def test_what_was_found_is_written_and_said(tmp_path):
+def test_results_are_written_and_printed(tmp_path):
     console = Console(record=True, width=200)
     args = Args(maneuvers=1, fastest=1, out=tmp_path)
     compare_planners.robustness(args, console)

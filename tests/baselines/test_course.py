@@ -1,4 +1,4 @@
-"""The tasks of the course: the programs' solutions, and their flights."""
+"""Tasks of the course: solutions of the programs, and their flights."""
 
 import math
 

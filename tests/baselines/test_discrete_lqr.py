@@ -1,4 +1,4 @@
-"""The discrete-time regulators: stationary far from the end, the paper's where there is nothing more, and optimal."""
+"""Discrete-time regulators: optimal, stationary far from the end, and equal to the paper's without extensions."""
 
 from dataclasses import astuple, replace
 

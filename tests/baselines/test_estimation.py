@@ -1,4 +1,4 @@
-"""The assumed actuator, the Kalman filter on the angles, and the reference that lives with disturbances."""
+"""Assumed actuator, Kalman filter on the angles, and disturbance-accommodated reference."""
 
 import math
 
@@ -48,7 +48,7 @@ def test_after_its_lag_a_rotor_has_turned_by_all_but_one_over_e():
 
 
 @pytest.mark.parametrize("lag", [0.05, 0.2, 0.0])
-def test_the_prediction_is_what_an_adaptive_integrator_finds(lag):
+def test_the_prediction_agrees_with_an_adaptive_integrator(lag):
     for x, w, u, d in zip(*(part.T for part in some_states(5))):
 
         def rhs(t, z, w=w, u=u, d=d):
@@ -147,7 +147,7 @@ def test_without_a_disturbance_the_reference_is_left_as_it_is():
         assert_allclose(accommodating, given, atol=1e-15)
 
 
-def test_the_tilt_keeps_the_pitch_limits():
+def test_the_tilt_stays_within_the_pitch_limits():
     target, _ = disturbance_accommodated_reference(
         np.zeros(6), np.array([0.6, 0.0]), np.array([5.0, 0.0, 0.0]), PITCH_LIMITS, NOMINAL
     )

@@ -1,4 +1,4 @@
-"""`heli-evaluate`: what it prints, what it writes, and what it refuses."""
+"""`heli-evaluate`: its table, its files and its error messages."""
 
 import json
 import math
@@ -133,14 +133,14 @@ def test_every_figure_of_the_paper_is_a_picture(evaluated):
     assert {name for name in os.listdir(evaluated[0]) if not name.endswith(".png")} == {"results.json"}
 
 
-def test_the_same_seed_gives_the_same_results_and_no_figures_are_drawn_unasked(evaluated, results, tmp_path):
+def test_equal_seeds_give_equal_results_and_figures_are_optional(evaluated, results, tmp_path):
     evaluate.main(Args(policies=POLICIES, episodes=EPISODES, seed=SEED, out=tmp_path, figures=False))
     assert os.listdir(tmp_path) == ["results.json"]
     assert without_wall_time(read(tmp_path)) == without_wall_time(read(evaluated[0]))
 
 
 @pytest.mark.parametrize("name", ["climb-7.5", "own.npz"])
-def test_what_is_drawn_of_flights_is_the_maneuver_that_was_flown_and_of_plans_the_papers(
+def test_figures_of_flights_show_the_flown_maneuver_and_figures_of_plans_the_papers(
     tmp_path, monkeypatch, paper_plan, unconstrained_plan, name
 ):
     flown = find_reference("climb-7.5")
@@ -161,7 +161,7 @@ def test_what_is_drawn_of_flights_is_the_maneuver_that_was_flown_and_of_plans_th
 
 
 @pytest.mark.parametrize(("plant", "policy"), [("lab", "open-loop"), ("nominal", "residual")])
-def test_the_title_of_the_table_tells_of_the_starts_that_are_in_it(evaluated, plant, policy):
+def test_the_title_of_the_table_names_its_starts(evaluated, plant, policy):
     args = Args(policies=(policy,), plant=plant, episodes=1)
     rows = evaluate.summarise(evaluate.evaluate(args, Console(quiet=True)))
     assert [row["start"] for row in rows] == ["perturbed"]

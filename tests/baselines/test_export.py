@@ -1,4 +1,4 @@
-"""Exported controllers fly as those of Python do; tables and .mat files hold what they say."""
+"""Exported controllers agree with Python's; tables and .mat files are correct."""
 
 import csv
 import shutil
@@ -188,7 +188,7 @@ def test_the_command_writes_the_files_and_the_time_of_a_step(tmp_path, capsys):
         ({"rig": "no-such-rig"}, "rig = 'no-such-rig'"),
     ],
 )
-def test_what_cannot_be_exported_is_refused_in_a_line_and_leaves_nothing(values, message, tmp_path, capsys):
+def test_a_policy_without_an_exported_form_is_refused_in_a_line_and_leaves_nothing(values, message, tmp_path, capsys):
     with pytest.raises(CommandError) as raised:
         main(Args(**{"plan": "travel-360", "out": tmp_path / "new", **values}))
     assert raised.value.code == 2

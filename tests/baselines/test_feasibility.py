@@ -1,4 +1,4 @@
-"""What is said where no plan is found."""
+"""Messages for infeasible maneuvers."""
 
 import re
 
@@ -31,7 +31,7 @@ def shortest(front, pitch_deg=40.0) -> Trajectory:
         ),
     ],
 )
-def test_of_the_shortest_plan_what_is_at_a_limit_is_told_and_nothing_else(front, riding):
+def test_binding_limits_of_the_shortest_plan_are_exactly_those_at_a_limit(front, riding):
     error = infeasible(Maneuver(), shortest(front), CLOCK)
     assert str(error).endswith(f"; the shortest found takes 3.00 s: its pitch reaches 80% of its limit{riding}")
     assert error.shortest_duration == 3.0
@@ -41,7 +41,7 @@ def test_of_the_shortest_plan_what_is_at_a_limit_is_told_and_nothing_else(front,
     ("voltage", "said"), [(7.9, ""), (11.0, ": its voltages ride on the upper limit 50% of the time")]
 )
 @pytest.mark.parametrize("pitch_deg", [0.0, -1e-6])
-def test_of_a_plan_without_pitch_none_is_told(voltage, said, pitch_deg):
+def test_a_plan_without_pitch_has_no_binding_limit(voltage, said, pitch_deg):
     error = infeasible(Maneuver(), shortest(np.full(4, voltage), pitch_deg), CLOCK)
     assert str(error).endswith(f"; the shortest found takes 3.00 s{said}")
 

@@ -94,7 +94,7 @@ def test_nothing_sticks_out_of_the_picture(drawn, name):
 
 
 @pytest.mark.parametrize("name", ["angles", "voltages", "overview", "overview of a plan"])
-def test_a_figure_of_flights_says_what_was_flown(drawn, name):
+def test_a_figure_of_flights_names_the_maneuver(drawn, name):
     assert drawn[name].get_suptitle() == TITLE
 
 
@@ -124,7 +124,7 @@ def test_thrust_difference_is_limited_by_one_fan_at_its_highest_and_one_at_its_l
     np.testing.assert_allclose(limits_on(panel(drawn["input constraints"], "thrust sum"), "x"), [-most, most])
 
 
-def test_thrust_sum_is_limited_by_what_the_voltages_allow_at_the_thrust_difference(drawn):
+def test_thrust_sum_is_limited_by_the_voltages_at_the_thrust_difference(drawn):
     axes = panel(drawn["feedforward"], "thrust sum")
     lower, upper = (line.get_ydata()[100] for line in limit_lines(axes))
     f = thrust(np.linspace(2.0, 10.0, 20001), PARAMETERS)

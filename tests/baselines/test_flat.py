@@ -1,4 +1,4 @@
-"""The flat outputs determine the flight: their plans fly as (3) says, whatever the limits are."""
+"""The flat outputs determine the flight: their plans agree with (3) for any limits."""
 
 import math
 
@@ -35,5 +35,5 @@ def test_the_polynomial_rises_from_zero_to_one_with_four_derivatives_zero_at_bot
         assert_allclose(RISE.deriv(n)(np.array([0.0, 1.0])), 0.0, atol=1e-9)
 
 
-def test_what_would_take_a_negative_thrust_sum_is_refused():
+def test_a_negative_thrust_sum_is_refused():
     assert flat_trajectory(Maneuver(goal=(0.0, math.radians(15.0)), duration=1.0)) is None

@@ -1,4 +1,4 @@
-"""Iterative learning control: its model is that of the flights, and errors fall from flight to flight."""
+"""Iterative learning control: its model agrees with flights, and errors fall from flight to flight."""
 
 import numpy as np
 import pytest

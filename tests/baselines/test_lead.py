@@ -1,4 +1,4 @@
-"""Led voltages fly the plan on rotors with lag and dead time, where the plan's own voltages do not."""
+"""Lead compensation: led voltages fly the plan on rotors with lag and dead time."""
 
 import math
 
@@ -48,7 +48,7 @@ def test_the_commands_are_the_amplifiers():
 
 
 @pytest.mark.parametrize("arguments", [{"lag": -1.0}, {"delay": math.nan}], ids=str)
-def test_what_is_no_time_is_named(arguments):
+def test_an_invalid_time_is_named(arguments):
     (name,) = arguments
     with pytest.raises(ValueError, match=f"{name} = "):
         lead_voltages(plan(Maneuver(duration=12.0)), **arguments)

@@ -1,4 +1,4 @@
-"""`heli-leaderboard`: the same draws for all, resumed after any kill, nothing twice, tables that a reader can check."""
+"""`heli-leaderboard`: common draws, resumption after any kill, no duplicates, verifiable tables."""
 
 import csv
 import json
@@ -139,7 +139,7 @@ def fly_into(folder, workers=1, stop_after=None):
         ledger.close()
 
 
-def test_what_a_kill_cut_off_is_flown_again_and_nothing_else_and_the_rows_are_the_same(tmp_path):
+def test_after_a_kill_only_incomplete_batches_are_flown_again_and_give_the_same_rows(tmp_path):
     whole = fly_into(tmp_path / "whole")
     assert len(whole) == 12
     fly_into(tmp_path / "cut", stop_after=3)
@@ -267,7 +267,7 @@ def test_policies_are_compared_on_the_draws_that_all_have_flown():
     assert [entry["draws"] for entry in standings(rows, "a")] == [5, 5]
 
 
-def test_outside_of_the_family_there_is_what_no_preset_has():
+def test_conditions_outside_the_family_have_effects_of_no_preset():
     for name in PLANTS:
         plant = find_condition(f"{name}+outside")
         assert plant.friction.viscous == PLANTS[name].friction.viscous
@@ -296,7 +296,7 @@ def test_outside_of_the_family_there_is_what_no_preset_has():
         ({"start_spread_deg": -1.0}, "start_spread_deg"),
     ],
 )
-def test_what_is_refused_is_refused_before_anything_is_made(tmp_path, change, words):
+def test_invalid_input_is_refused_before_anything_is_written(tmp_path, change, words):
     with pytest.raises(SystemExit, match=words) as end:
         command.main(Args(**{**SMALL, **change}, out=tmp_path / "out"))
     assert end.value.code in (1, 2)

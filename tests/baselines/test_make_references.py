@@ -1,4 +1,4 @@
-"""The maneuver suite: stored as it is made, true to (3), within its limits, from where to where its names say."""
+"""Maneuver suite: stored files, replay through (3), limits, start and goal."""
 
 import math
 
@@ -44,7 +44,7 @@ GENTLE = [name for name in FROM_REST if name != "travel-360"]
 SEEDS = range(3)
 
 
-def test_the_suite_is_what_the_package_brings():
+def test_the_suite_is_the_set_of_packaged_references():
     assert {path.stem for path in REFERENCES.glob("*.npz")} == set(SUITE) == set(ENDS)
 
 
@@ -53,7 +53,7 @@ def test_all_references_together_are_small():
 
 
 @pytest.mark.parametrize("name", SUITE)
-def test_what_is_stored_is_what_the_command_makes(name):
+def test_stored_references_equal_those_of_the_command(name):
     made, stored = solve_reference(name), find_reference(name)
     assert_allclose(stored.t, made.t, atol=1e-12)
     # The paper's maneuver is near the shortest that (38) can do, where rounding in the solver moves the solution most.
@@ -87,7 +87,7 @@ def test_it_is_at_rest_at_both_ends(name):
 
 
 @pytest.mark.parametrize("name", SUITE)
-def test_it_keeps_its_limits_and_the_amplifiers(name):
+def test_each_reference_meets_its_limits_and_the_amplifiers(name):
     reference = find_reference(name)
     expected = Limits(u_min=0.0) if name == "take-off" else Limits()
     assert reference.limits == expected
@@ -136,7 +136,7 @@ def test_a_fall_that_no_thrust_can_speed_up_is_refused():
         invert_motion(t, np.zeros((3, 101)), falling, Limits(), PAPER)
 
 
-def test_resampled_voltages_err_on_both_sides_and_keep_their_limits():
+def test_resampled_voltages_err_on_both_sides_within_their_limits():
     t = np.linspace(0.0, 2.0, 2001)
     curved = Trajectory(t, np.zeros((6, len(t))), np.stack((1.0 + t**2, np.minimum(5.0 * t + 1.0, 11.0))))
     coarse = resample(curved, 0.1)

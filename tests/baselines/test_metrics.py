@@ -1,4 +1,4 @@
-"""The metrics of a flight, by hand and as the environment counts."""
+"""Metrics of a flight against hand calculation and the environment."""
 
 import functools
 
@@ -67,7 +67,7 @@ def test_limits_are_those_of_the_reference_not_of_the_flight():
     assert wide.cost == 0.0
 
 
-def test_saturation_is_told_by_the_amplifiers_limits():
+def test_saturation_follows_from_the_amplifiers_limits():
     assert flight_metrics(by_hand(), still(Limits()), (3.0, 12.0)).saturated == pytest.approx(3.0 / 4.0)
     assert flight_metrics(by_hand(), still(Limits()), (-1.0, 13.0)).saturated == 0.0
 

@@ -82,7 +82,7 @@ def test_an_acceleration_leaves_rate_and_travel_as_scipy_integrates(damping):
 
 
 @pytest.mark.parametrize("signs", [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0)])
-def test_bounds_are_in_order_whatever_the_signs_of_the_inputs_are(signs):
+def test_bounds_are_in_order_for_all_signs_of_the_inputs(signs):
     p = NOMINAL._replace(b2=signs[0] * NOMINAL.b2, b3=signs[1] * NOMINAL.b3)
     f = thrust_bounds(Limits(), p)
     for low, high in (ddy1_bounds(state(0.1, 0.2), 0.05, f, p), ddy2_bounds(state(0.1, 0.2), f, p)):

@@ -1,4 +1,4 @@
-"""Constraints on the way, ends in motion and objectives: as an independent integrator and least-effort optimum say."""
+"""Path constraints, moving ends and objectives, against an independent integrator and a least-effort optimum."""
 
 import math
 from dataclasses import replace
@@ -27,7 +27,7 @@ CONSTRAINED = {
 
 
 @pytest.mark.parametrize("name", CONSTRAINED)
-def test_a_plan_keeps_its_constraints_when_flown_through_equation_3(name):
+def test_a_plan_meets_its_constraints_when_flown_through_equation_3(name):
     requested = CONSTRAINED[name]
     trajectory = plan(requested)
     flown = replay(trajectory)
@@ -39,7 +39,7 @@ def test_a_plan_keeps_its_constraints_when_flown_through_equation_3(name):
 
 
 @pytest.mark.parametrize("name", ["a bump", "a travel rate", "all of them"])
-def test_collocation_keeps_them_too(name):
+def test_collocation_meets_the_constraints_too(name):
     requested = CONSTRAINED[name]
     trajectory = plan(requested, "collocation")
     flown = replay(trajectory)
@@ -54,7 +54,7 @@ def test_with_constraints_the_fastest_spline_is_close_to_collocation(name):
 
 
 @pytest.mark.parametrize("name", ["a bump", "an elevation window", "an elevation rate"])
-def test_the_fastest_plan_keeps_them_and_takes_longer_for_it(name):
+def test_the_fastest_plan_meets_the_constraints_and_takes_longer(name):
     requested = replace(CONSTRAINED[name], duration=30.0)
     constrained = plan_fastest(requested)
     free = plan_fastest(Maneuver(requested.start, requested.goal, 30.0))
@@ -75,7 +75,7 @@ def test_a_refusal_names_the_constraint_and_its_cost():
         plan(tight)
 
 
-def test_other_methods_refuse_what_breaks_a_constraint_by_its_name():
+def test_other_methods_refuse_a_violated_constraint_by_name():
     with pytest.raises(InfeasibleManeuver, match="exceeds travel_rate by"):
         plan(Maneuver(duration=14.0, limits=Limits(travel_rate=0.5)), "flat")
 
@@ -96,7 +96,7 @@ def test_the_table_is_a_floor_where_both_ends_are_above_it():
     ],
     ids=str,
 )
-def test_what_is_no_constraint_or_end_is_named(arguments, said):
+def test_invalid_constraints_and_ends_are_named(arguments, said):
     with pytest.raises(ValueError, match=said):
         Maneuver(**arguments)
 
@@ -110,7 +110,7 @@ def test_what_is_no_constraint_or_end_is_named(arguments, said):
     ],
     ids=str,
 )
-def test_limits_that_are_none_are_named(limits, said):
+def test_invalid_limits_are_named(limits, said):
     with pytest.raises(ValueError, match=said):
         Limits(**limits)
 
@@ -167,7 +167,7 @@ def reserve(trajectory):
 
 
 @pytest.mark.parametrize("duration", [10.0, 12.0])
-def test_each_objective_is_best_at_what_it_is_for(duration):
+def test_each_objective_gives_the_best_value_of_its_own_measure(duration):
     plans = {
         objective: plan(Maneuver(duration=duration), "spline", objective=objective)
         for objective in ("effort", "reserve")

@@ -1,4 +1,4 @@
-"""`heli-plan`: a maneuver in, a plan and its picture out."""
+"""`heli-plan`: plans and figures of maneuvers."""
 
 import math
 import os
@@ -78,7 +78,7 @@ def test_bad_input_is_refused_with_a_message_that_names_it_and_nothing_is_writte
     assert os.listdir(tmp_path) == []
 
 
-def test_what_cannot_be_planned_is_refused_with_what_would_work(tmp_path):
+def test_an_infeasible_maneuver_is_refused_with_a_feasible_alternative(tmp_path):
     with pytest.raises(SystemExit) as refusal:
         plan_maneuver.main(Args(0.0, -10.0, 1.0, out=tmp_path / "plan.npz"))
     said = re.search(r"heli-plan: no plan for .* in 1 s .* the shortest found takes ([\d.]+) s", str(refusal.value))

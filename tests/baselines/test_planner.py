@@ -1,4 +1,4 @@
-"""Plans are replayed, bounded and refused as an independent integrator and an optimal-control solver say."""
+"""Replays, bounds and refusals of plans, against an independent integrator and an optimal-control solver."""
 
 import itertools
 import math
@@ -68,7 +68,7 @@ def planned(request):
     return maneuver, plan(maneuver, method)
 
 
-def test_a_plan_flown_through_equation_3_arrives_and_keeps_its_limits(planned):
+def test_a_plan_flown_through_equation_3_arrives_within_its_limits(planned):
     maneuver, trajectory = planned
     flown = replay(trajectory, maneuver.parameters)
     for k, (travel, elevation) in ((0, maneuver.start), (-1, maneuver.goal)):
@@ -131,7 +131,7 @@ def test_the_same_maneuver_gives_the_same_plan(method):
     np.testing.assert_array_equal(again.u, first.u)
 
 
-def test_unless_asked_otherwise_the_papers_maneuver_is_planned_as_in_the_paper(paper_plan):
+def test_by_default_the_papers_maneuver_is_planned_as_in_the_paper(paper_plan):
     papers = plan(Maneuver(), "paper")
     np.testing.assert_array_equal(paper_plan.u, papers.u)
 
@@ -165,7 +165,7 @@ def test_a_plan_far_away_does_no_harm(method, like):
     assert_allclose(flown[:, -1], [2.0 * math.pi, 0.0, 0.0, 0.0, 0.0, 0.0], rtol=0.0, atol=1e-3)
 
 
-def test_what_cannot_be_planned_cannot_from_one_near_by_either(paper_plan):
+def test_an_infeasible_maneuver_stays_infeasible_with_an_initial_guess(paper_plan):
     with pytest.raises(InfeasibleManeuver, match="the shortest found takes"):
         plan(Maneuver(duration=8.0), near=paper_plan)
 
@@ -174,7 +174,7 @@ def test_what_cannot_be_planned_cannot_from_one_near_by_either(paper_plan):
     ("method", "near", "said"),
     [("flat", None, "method = 'flat'.*paper, spline"), ("collocation", None, "auto"), ("paper", Maneuver(), "near = ")],
 )
-def test_a_start_that_is_none_is_named(method, near, said, paper_plan):
+def test_an_invalid_start_is_named(method, near, said, paper_plan):
     with pytest.raises(ValueError, match=said):
         plan(Maneuver(), method, near=near or paper_plan)
 
@@ -264,7 +264,7 @@ def at_most(seconds: float):
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("requested", [maneuver((0, 0), (0, -10), 0.5), maneuver((0, 0), (360, 0), 8)], ids=str)
-def test_an_infeasible_maneuver_names_what_is_in_the_way_and_a_duration_that_works(requested, method):
+def test_an_infeasible_maneuver_names_its_binding_limits_and_a_feasible_duration(requested, method):
     said = r"in the way .* voltage limit" if method in ("auto", "spline") else "its pitch reaches|its voltages ride"
     with at_most(15.0), pytest.raises(InfeasibleManeuver, match=said) as refusal:
         plan(requested, method)
@@ -285,7 +285,7 @@ def test_a_longer_time_than_one_that_works_works_too(method):
     assert plan(longer, method).duration == longer.duration
 
 
-def test_what_is_in_the_way_would_save_as_much_as_is_said():
+def test_a_relaxed_binding_limit_saves_the_stated_time():
     with pytest.raises(InfeasibleManeuver) as refusal:
         plan(Maneuver(duration=8.0), "spline")
     said = str(refusal.value)
@@ -309,7 +309,7 @@ def test_a_time_limit_ends_the_search(method, monkeypatch):
 
 
 @pytest.mark.parametrize("time_limit", [0.0, -1.0, math.nan])
-def test_a_time_limit_that_is_none_is_named(time_limit):
+def test_an_invalid_time_limit_is_named(time_limit):
     with pytest.raises(ValueError, match="time_limit = "):
         plan(Maneuver(), time_limit=time_limit)
 
@@ -324,7 +324,7 @@ def test_a_maneuver_of_minutes_is_planned_in_seconds(method):
     ("requested", "like"),
     [(maneuver((0, 0), (360, 0), 8), "the paper's"), (maneuver((0, 0), (0, -10), 0.5), "climb on the spot")],
 )
-def test_some_of_what_is_refused_no_control_at_all_can_fly(requested, like):
+def test_some_refused_maneuvers_are_infeasible_for_any_control(requested, like):
     assert shortest_time(requested, plan(MANEUVERS[like])) > requested.duration
 
 
@@ -450,14 +450,14 @@ def test_the_papers_maneuver_takes_no_more_than_three_and_a_half_percent_more_th
     assert 1.0 <= fastest.duration / shortest_time(Maneuver(), paper_plan, intervals=100) < 1.035
 
 
-def test_a_fastest_plan_that_is_on_its_pitch_limit_for_long_keeps_it_when_flown():
+def test_a_fastest_plan_with_a_long_arc_at_its_pitch_limit_meets_it_when_flown():
     travel, start, goal, pitch = np.radians([-50.8018, 8.75858, 7.00393, 18.1729])
     limits = Limits(2.12767, 11.2298, -pitch, pitch)
     assert plan_fastest(Maneuver((0.0, start), (travel, goal), 25.0, limits)).duration < 5.0
 
 
 @pytest.mark.parametrize("name", ["descend and turn", "little pitch to one side", "little pitch", "fans may reverse"])
-def test_the_fastest_plan_is_close_to_optimal_control_and_keeps_its_limits(name):
+def test_the_fastest_plan_is_near_optimal_and_meets_its_limits(name):
     requested = replace(MANEUVERS[name], duration=30.0)
     fastest = plan_fastest(requested)
     flown = replay(fastest)
@@ -485,7 +485,7 @@ def test_a_reserve_is_left_at_both_ends_of_both_windows(method):
 
 
 @pytest.mark.parametrize("method", FASTEST)
-def test_what_takes_longer_than_asked_for_is_refused_with_the_shortest_duration(method):
+def test_a_too_short_duration_is_refused_with_the_shortest_one(method):
     with pytest.raises(InfeasibleManeuver, match="the shortest found takes") as refusal:
         plan_fastest(Maneuver(duration=7.0), method)
     fastest = plan_fastest(Maneuver(duration=20.0), method)

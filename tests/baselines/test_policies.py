@@ -1,4 +1,4 @@
-"""The controllers: exact on the reference, and what they do off it."""
+"""Controllers: exact on the reference, and effective off it."""
 
 import functools
 import math
@@ -203,7 +203,7 @@ def test_every_policy_gives_two_voltages_at_any_time(name):
 
 
 @pytest.mark.parametrize("name", FORGETFUL)
-def test_a_policy_without_memory_answers_the_same_when_asked_again(name):
+def test_a_policy_without_memory_repeats_its_voltages(name):
     policy = make_policy(name, REFERENCE)
     assert_array_equal(policy(5.0, CORNER), policy(5.0, CORNER))
 
@@ -215,7 +215,7 @@ def answers(policy, measurements) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", POLICIES)
-def test_a_policy_that_flies_many_flies_each_as_it_would_alone(name):
+def test_a_policy_flies_each_of_many_as_if_alone(name):
     policy = make_policy(name, REFERENCE)
     t = 0.02 * np.arange(12)
     flights = np.random.default_rng(5).normal(scale=0.05, size=(12, 6, 3)) + REFERENCE(t)[0].T[:, :, None]

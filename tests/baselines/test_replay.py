@@ -1,4 +1,4 @@
-"""The compiled replay is that of scipy."""
+"""The compiled replay agrees with scipy."""
 
 import numpy as np
 import pytest

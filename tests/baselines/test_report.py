@@ -1,4 +1,4 @@
-"""The report of an evaluation: one file, the numbers of the table, and flights that can be looked at."""
+"""Report of an evaluation: one file with the numbers of the table and the flights."""
 
 import base64
 import hashlib
@@ -140,7 +140,7 @@ def test_the_page_asks_for_nothing_from_a_network(folder):
     assert len(text) < 2_500_000
 
 
-def test_what_users_name_cannot_leave_its_place_in_the_page(tmp_path):
+def test_users_names_cannot_leave_their_elements_of_the_page(tmp_path):
     path = tmp_path / "page.html"
     report.write_page(path, "report", "<b>&</title>", {"text": "</script><!--script-->"})
     text = path.read_text()

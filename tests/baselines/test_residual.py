@@ -62,7 +62,7 @@ def test_a_correction_is_the_scaled_action_on_top_of_the_base_and_no_larger_than
 
 
 @pytest.mark.parametrize("base", ["feedforward+tvlqr", "lqi", "kalman-lqr"])
-def test_many_at_once_fly_what_each_flies_alone(base):
+def test_many_at_once_fly_as_if_alone(base):
     def policy():
         return ResidualPolicy(make_policy(base, SHORT), SHORT, network(features_of(base)), 1.0)
 

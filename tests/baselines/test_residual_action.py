@@ -1,4 +1,4 @@
-"""`ResidualAction`: any learner corrects a controller."""
+"""`ResidualAction`: corrections of a controller by any learner."""
 
 import gymnasium as gym
 import numpy as np
@@ -92,7 +92,7 @@ def test_gymnasiums_checker_is_content_and_the_spec_makes_it_again():
         ({"policy": "moon"}, "'moon'"),
     ],
 )
-def test_what_is_not_known_is_refused_by_name(arguments, said):
+def test_unknown_names_are_refused(arguments, said):
     with pytest.raises(ValueError, match=said):
         ResidualAction(gym.make("Heli3DOF-v0"), **arguments)
     with pytest.raises(ValueError, match=said):
@@ -120,7 +120,7 @@ def test_other_environments_and_actions_are_refused():
         ("lag-lqr", SAMPLED),
     ],
 )
-def test_each_of_many_flies_what_it_flies_alone(mode, base, arguments):
+def test_each_of_many_flies_as_if_alone(mode, base, arguments):
     n, rng = 3, np.random.default_rng(0)
     together = VectorResidualAction(gym.make_vec("Heli3DOF-v0", n, autoreset_mode=mode, **arguments), base)
     apart = gym.make_vec(

@@ -25,7 +25,7 @@ def test_the_derivatives_are_those_of_a_symbolic_derivation(paper_plan):
     assert not expected[:, ~looked_at].any()
 
 
-def test_what_does_not_vanish_is_three_kinematic_and_nine_dynamic_entries():
+def test_the_nonzero_entries_are_three_kinematic_and_nine_dynamic_ones():
     # (3) depends on two angles and two inputs, and not every line on all of them
     _, rows, columns, varying = riccati.structure(NOMINAL)
     assert sorted(zip(rows.tolist(), columns.tolist())) == [

@@ -1,4 +1,4 @@
-"""Environments on other rigs: plants, hover, references, and what is refused."""
+"""Environments on other rigs: plants, hover, references, invalid combinations."""
 
 import gymnasium as gym
 import numpy as np
@@ -74,7 +74,7 @@ def test_on_the_papers_rig_nothing_changes():
     assert_array_equal(mine.hover_voltage, default.hover_voltage)
 
 
-def test_a_plan_for_another_rig_is_refused_with_what_differs(tmp_path):
+def test_a_plan_for_another_rig_is_refused_and_differences_are_named(tmp_path):
     trajectory = plan(Maneuver(goal=(1.0, 0.0), duration=6.0, rig="ntnu"))
     trajectory.save(tmp_path / "plan.npz")
     for reference in (trajectory, str(tmp_path / "plan.npz")):
@@ -92,7 +92,7 @@ def test_a_policy_for_another_rig_is_refused():
         fly(env, policy)
 
 
-def test_a_plant_with_coefficients_of_its_own_keeps_them():
+def test_a_plant_with_its_own_coefficients_flies_with_them():
     heavier = HelicopterParameters(a2=0.42)
     assert Heli3DOFEnv(Plant(parameters=heavier), rig="ntnu").plant.parameters == heavier
     trajectory = plan(Maneuver(goal=(1.0, 0.0), duration=6.0, parameters=heavier))

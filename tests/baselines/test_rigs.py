@@ -61,7 +61,7 @@ def test_gains_are_those_of_the_references_rig_by_default():
 
 
 @pytest.mark.parametrize("name", ["residual", "lqi@lab", "kalman-lqr@rigid"])
-def test_what_was_learned_or_tuned_on_the_papers_rig_is_refused_for_another(name):
+def test_policies_learned_or_tuned_on_the_papers_rig_are_refused_for_another(name):
     reference = plan(Maneuver(goal=(math.pi / 2, 0.0), duration=8.0, rig="ntnu"))
     with pytest.raises(ValueError, match="is for the rig 'paper', and the one that flies is 'ntnu'"):
         make_policy(name, reference)
@@ -79,7 +79,7 @@ def test_middle_voltage_is_the_middle_of_the_rigs_amplifier():
     assert_allclose(make_policy("middle-voltage", reference, voltage_limits=(0.0, 10.0))(0.0, np.zeros(6)), 5.0)
 
 
-def test_a_plan_within_tighter_limits_keeps_them():
+def test_a_plan_within_tighter_limits_meets_them():
     maneuver = Maneuver(goal=(math.pi, 0.0), duration=10.0, rig="ntnu", limits=Limits(1.0, 6.0, -0.6, 0.6))
     trajectory = plan(maneuver)
     assert trajectory.u.min() >= 1.0 - 1e-6 and trajectory.u.max() <= 6.0 + 1e-6
@@ -107,7 +107,7 @@ def test_the_commands_plan_for_a_rig_and_refuse_its_plan_on_another(tmp_path, ca
     evaluate.main(evaluate.Args(**settings, force=True, out=tmp_path / "forced"))
 
 
-def test_limits_of_a_rig_bound_what_a_plan_may_ask_for(tmp_path, capsys):
+def test_limits_of_a_rig_bound_the_plans(tmp_path, capsys):
     with pytest.raises(CommandError):
         plan_maneuver.main(plan_maneuver.Args(rig="paper", u_max=13.0, out=tmp_path / "p.npz"))
     assert "must be within the 0 to 12 V of the rig 'paper'" in capsys.readouterr().err

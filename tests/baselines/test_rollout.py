@@ -1,4 +1,4 @@
-"""One way to fly: any policy, wrapped or not, to the trajectory that was really flown."""
+"""Rollouts: true trajectories of any policy, wrapped or not."""
 
 import math
 from dataclasses import dataclass, field
@@ -75,7 +75,7 @@ def test_a_policy_is_shown_the_time_and_the_measurement_of_each_step(wobble):
     assert_array_equal(np.transpose(measurements), flight.x[:, :-1])  # on the nominal plant the state itself
 
 
-def test_the_amplifier_saturates_what_a_policy_asks_for():
+def test_the_amplifier_saturates_a_policys_voltages():
     flight = fly(Heli3DOFEnv(), Scripted(np.array([20.0, 19.0])))
     assert_array_equal(flight.u, 12.0)
 

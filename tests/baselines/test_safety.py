@@ -1,4 +1,4 @@
-"""The safety filter: pitch stays within the stop whatever the policy asks for, and nothing changes far from it."""
+"""Safety filter: pitch stays within the stop for any policy, and voltages are unchanged far from it."""
 
 import numpy as np
 import pytest

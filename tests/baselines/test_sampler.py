@@ -1,4 +1,4 @@
-"""Random maneuvers: plans that arrive, the same for the same seed, and plain values."""
+"""Random maneuvers: feasible, reproducible by seed, plain values."""
 
 import math
 import pickle
@@ -53,7 +53,7 @@ def test_draws_differ():
     ],
     ids=str,
 )
-def test_what_cannot_be_drawn_from_is_named(arguments, said):
+def test_invalid_ranges_are_named(arguments, said):
     with pytest.raises(ValueError, match=said):
         ManeuverSampler(**arguments)
 

@@ -1,4 +1,4 @@
-"""The saturation functions keep their bounds, invert, and differentiate as they should."""
+"""Saturation functions: bounds, inverses and derivatives."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Any agent is scored: names, files, functions; on the same draws, with nothing unpickled."""
+"""Scores of agents from names, files and functions, on common draws, without unpickling."""
 
 import io
 import pickle
@@ -44,7 +44,7 @@ def test_a_function_scores_as_the_policy_that_it_calls():
     np.testing.assert_allclose(of_function.column("rms_error_deg"), of_name.column("rms_error_deg"), rtol=1e-6)
 
 
-def test_the_table_is_what_pandas_reads(tmp_path):
+def test_pandas_reads_the_table(tmp_path):
     pandas = pytest.importorskip("pandas")
     table = evaluate("zero", episodes=2, reference="climb-7.5")
     frame = table.to_pandas()
@@ -83,7 +83,7 @@ def test_a_users_module_makes_a_policy(tmp_path, monkeypatch):
         ({"policy": lambda t, x: 1.0}, "two finite voltages"),
     ],
 )
-def test_what_cannot_be_scored_is_named(arguments, words):
+def test_invalid_policies_and_arguments_are_named(arguments, words):
     with pytest.raises(ValueError, match=words):
         evaluate(**{"policy": "zero", "episodes": 1, "reference": "climb-7.5", **arguments})
 
@@ -99,7 +99,7 @@ def test_what_cannot_be_scored_is_named(arguments, words):
         ("SAC", {"buffer_size": 10, "use_sde": True}),
     ],
 )
-def test_a_stable_baselines3_model_acts_as_its_file_does(tmp_path, env, observations, algorithm, options):
+def test_a_stable_baselines3_model_and_its_file_act_equally(tmp_path, env, observations, algorithm, options):
     sb3 = pytest.importorskip("stable_baselines3")
     import torch
 

@@ -1,4 +1,4 @@
-"""Shooting finds what collocation finds."""
+"""Shooting and collocation agree."""
 
 import math
 
@@ -53,7 +53,7 @@ def test_segments_that_meet_are_one_flight():
     assert_allclose(many.sensitivity[-1], one.sensitivity[-1], rtol=1e-9, atol=1e-9)
 
 
-def test_what_is_missed_is_caught_up_with_to_first_order():
+def test_a_newton_step_removes_the_defects_to_first_order():
     problem, found = ConstrainedProblem(TURN), solve_by_shooting(TURN)
     shoot, rng = shooter(problem, 20), np.random.default_rng(0)
     met = found.interpolate(np.linspace(0.0, 8.0, 6))
@@ -88,11 +88,11 @@ def test_a_rotation_with_time_to_spare_leaves_the_elevation_nearly_alone(duratio
     assert np.abs(solve_by_shooting(Maneuver(duration=duration)).Y[0]).max() < math.radians(3.0)
 
 
-def test_a_plan_that_solves_38_already_tells_its_parameters():
+def test_a_plan_that_solves_38_gives_its_parameters():
     solution, trajectory = solve_by_shooting(TURN), plan(TURN, "paper")
     _, p = guess_from(ConstrainedProblem(TURN), trajectory)
     assert_allclose(p, solution.p, rtol=1e-2, atol=0.1)
 
 
-def test_where_there_is_no_solution_none_is_found():
+def test_an_unsolvable_problem_has_no_result():
     assert solve_by_shooting(Maneuver(duration=9.0)) is None

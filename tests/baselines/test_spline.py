@@ -67,7 +67,7 @@ def test_the_derivatives_agree_with_differences(parameters):
     assert_allclose(H, expected, atol=1e-7)
 
 
-def test_what_is_smoothest_is_a_minimum_of_the_squared_third_derivatives():
+def test_the_smoothest_spline_minimises_the_squared_third_derivatives():
     # the barrier being lowered until the limits, which are far away, do not matter
     requested = Maneuver(goal=(1.0, 0.1), duration=14.0)
     thrusts = thrust_bounds(requested.limits, requested.parameters)

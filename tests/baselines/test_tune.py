@@ -1,4 +1,4 @@
-"""The tuner: what it searches, what it flies, and that every policy gets the same budget."""
+"""Tuner: search, flights, and equal budgets of all policies."""
 
 from dataclasses import astuple
 from typing import get_args, get_type_hints
@@ -33,7 +33,7 @@ def test_all_weights_but_that_on_the_thrust_sum_are_searched_and_those_in_use_ar
 
 
 @pytest.mark.parametrize("name", WEIGHTS)
-def test_weights_are_what_their_decades_say(name):
+def test_weights_follow_from_their_decades(name):
     weights = WEIGHTS[name]
     decades = np.log10([getattr(weights, weight) for weight in tune.search_names(weights)])
     assert_allclose(astuple(tune.with_decades(weights, decades)), astuple(weights))
@@ -77,7 +77,7 @@ def test_a_flight_that_ends_early_is_charged_to_the_end_so_that_a_crash_never_pa
 
 
 @pytest.mark.parametrize("name", WEIGHTS)
-def test_the_budget_is_the_same_for_all_and_what_is_in_use_is_beaten_only_by_what_is_better(name, monkeypatch, capsys):
+def test_the_budget_is_the_same_for_all_and_only_better_weights_replace_those_in_use(name, monkeypatch, capsys):
     flown = []
 
     def worse_and_worse(envs, policy, seed, objective):
@@ -91,7 +91,7 @@ def test_the_budget_is_the_same_for_all_and_what_is_in_use_is_beaten_only_by_wha
     assert all(f"{weight} = {value:.3g}\n" in printed for weight, value in vars(WEIGHTS[name]).items())
 
 
-def test_the_return_of_tracking_is_what_an_agent_that_does_nothing_earns_on_top_of_the_policy():
+def test_the_tracking_return_equals_that_of_an_idle_agent_on_the_policy():
     pytest.importorskip("stable_baselines3")
     from heli_gym.baselines.control.residual import ResidualPolicy
     from heli_gym.train.vec_env import ResidualVecEnv

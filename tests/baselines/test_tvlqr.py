@@ -79,7 +79,7 @@ def test_P_is_symmetric_and_positive_definite_all_the_way(gains):
 
 
 @pytest.mark.parametrize("seed", [0, 1])
-def test_the_cost_of_the_closed_loop_is_the_one_that_P_foretells(paper_plan, gains, seed):
+def test_the_cost_of_the_closed_loop_agrees_with_P(paper_plan, gains, seed):
     x0 = 0.1 * np.random.default_rng(seed).normal(size=6)
     assert_allclose(closed_loop_cost(paper_plan, gains, x0), x0 @ gains.P[..., 0] @ x0, rtol=1e-4)
 
@@ -140,7 +140,7 @@ SYMMETRIC_INDEFINITE = np.diag([1.0, 1.0, 1.0, 1.0, 1.0, -1.0])
         ("R", np.diag([1.0, np.inf])),
     ],
 )
-def test_a_weight_that_is_none_is_named(name, weight, end):
+def test_an_invalid_weight_is_named(name, weight, end):
     with pytest.raises(ValueError, match=rf"^{name} = "):
         riccati_gains(hover(1.0), M=end, **{name: weight})
 
@@ -148,7 +148,7 @@ def test_a_weight_that_is_none_is_named(name, weight, end):
 @pytest.mark.parametrize(
     "weight", [np.eye(2), SYMMETRIC_INDEFINITE, np.eye(6) + np.eye(6, k=1), np.full((6, 6), np.inf)]
 )
-def test_a_weight_of_the_end_that_is_none_is_named(weight):
+def test_an_invalid_terminal_weight_is_named(weight):
     with pytest.raises(ValueError, match=r"^M = "):
         riccati_gains(hover(1.0), M=weight)
 

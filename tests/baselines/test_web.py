@@ -1,4 +1,4 @@
-"""The program of the pages: built from its sources, and the same helicopter as in Python; and the live page."""
+"""Program of the pages: built from its sources, with the same helicopter as in Python; live page."""
 
 import hashlib
 import subprocess
@@ -64,7 +64,7 @@ def test_the_program_is_built_from_the_sources_beside_it():
     assert first_line.endswith(hashed.hexdigest()), "run `npm ci && npm run build` in web/"
 
 
-def test_building_anew_gives_what_is_shipped(tmp_path):
+def test_a_new_build_equals_the_shipped_program(tmp_path):
     installed("esbuild")
     subprocess.run([tool("node"), "build.mjs", str(tmp_path)], cwd=SOURCES, check=True, capture_output=True)
     for name in ("heli.js", "heli.css"):
@@ -76,7 +76,7 @@ def test_the_sources_pass_the_type_checker():
     assert child.returncode == 0, child.stdout
 
 
-def test_what_is_shipped_is_small_and_ends_no_element_of_the_page():
+def test_the_shipped_program_is_small_and_closes_no_element_of_the_page():
     assert sum(path.stat().st_size for path in WEB.iterdir()) < 1_000_000
     script = (WEB / "heli.js").read_text().lower()
     assert "</script" not in script
@@ -136,7 +136,7 @@ def test_a_flight_in_the_browser_is_that_of_python(live, plant, policy):
 
 @pytest.mark.parametrize("policy", ["kalman-lqr", "residual"])
 @pytest.mark.parametrize("plant", DRAWS)
-def test_a_flight_with_a_filter_whose_gains_the_browser_computes_is_that_of_python(live, plant, policy):
+def test_a_flight_with_filter_gains_of_the_browser_equals_that_of_python(live, plant, policy):
     env = Heli3DOFEnv(DRAWS[plant], control_period=PERIOD)
     reference = env.reference
     network = "rigid" if plant.startswith("rigid") else "lab"
@@ -266,7 +266,7 @@ def test_the_papers_plan_and_its_gains_in_the_browser_are_those_of_python(live, 
 
 
 @pytest.mark.slow
-def test_every_plan_of_the_grid_arrives_and_keeps_its_limits(live):
+def test_every_plan_of_the_grid_arrives_within_its_limits(live):
     requested = list(maneuvers(live))
     assert len(requested) > 200
     for maneuver, found in zip(requested, in_node(PLAN, live=live, maneuvers=requested, gains=False)):
@@ -279,7 +279,7 @@ def test_every_plan_of_the_grid_arrives_and_keeps_its_limits(live):
         assert pitch_low - 1e-6 <= x[:, 4].min() <= x[:, 4].max() <= pitch_high + 1e-6
 
 
-def test_the_grid_is_what_the_solver_finds(live):
+def test_the_grid_agrees_with_the_solver(live):
     grid = live["grid"]
     i, j = len(demo.PITCH_LIMITS_DEG) - 1, 1
     chain = demo.solve_chain(demo.PITCH_LIMITS_DEG[i], demo.VOLTAGE_WINDOWS[j])
@@ -354,7 +354,7 @@ def test_a_push_moves_the_pitch(page):
     assert open_loop - reference > 2.0
 
 
-def test_a_slider_changes_the_flight_and_what_has_no_plan_says_so(page, papers_plan):
+def test_a_slider_changes_the_flight_and_a_missing_plan_is_reported(page, papers_plan):
     script = """
         const references = [];
         await page.locator("select").selectOption("2");
@@ -412,7 +412,7 @@ def test_plants_and_policies_are_chosen_with_the_keyboard_too(page):
     assert seen["focused"] == "BUTTON"
 
 
-def test_the_residual_policy_flies_otherwise_than_what_it_corrects_with_the_network_of_the_plant(page):
+def test_the_residual_policy_uses_the_plants_network_and_differs_from_its_base(page):
     script = """
         const shown = async () => {
           const values = [];

@@ -1,4 +1,4 @@
-"""How commands end: one line and a status, whatever happened."""
+"""Ends of commands: one line and an exit status for every error."""
 
 import io
 import os
@@ -56,7 +56,7 @@ def test_an_error_of_the_program_itself_shows_where_it_is():
         raise KeyError("a fault")
 
 
-def test_what_a_stream_cannot_encode_is_replaced(monkeypatch):
+def test_characters_that_a_stream_cannot_encode_are_replaced(monkeypatch):
     stream = io.TextIOWrapper(io.BytesIO(), encoding="ascii", errors="strict")
     monkeypatch.setattr(sys, "stdout", stream)
     with command("heli-x"):
@@ -111,7 +111,7 @@ def test_every_script_of_the_package_is_a_command_of_the_table():
 
 
 @pytest.mark.parametrize("program", COMMANDS)
-def test_every_command_tells_its_version_without_loading_anything(monkeypatch, capsys, program):
+def test_every_command_prints_its_version_without_loading_anything(monkeypatch, capsys, program):
     monkeypatch.setattr(sys, "argv", [program, "--version"])
     monkeypatch.setattr(cli.importlib, "import_module", lambda name: pytest.fail(name))
     with pytest.raises(SystemExit) as end:
@@ -142,7 +142,7 @@ def test_without_an_extra_a_command_names_it():
 
 
 @pytest.mark.parametrize("suffix", ["", ">&-", ">/dev/full", "| true"])
-def test_plan_is_saved_whatever_becomes_of_standard_output(tmp_path, suffix):
+def test_plan_is_saved_even_if_standard_output_fails(tmp_path, suffix):
     arguments = ("--method", "flat", "--duration", "30", "--no-figure", "--out", tmp_path / "plan.npz")
     done = child("heli-plan", *arguments, shell_suffix=suffix, PYTHONIOENCODING="ascii")
     assert (tmp_path / "plan.npz").is_file()

@@ -1,4 +1,4 @@
-"""Compiled equations are the equations, and are compiled anew when these change."""
+"""Compiled equations agree with Python, and a change recompiles them."""
 
 import subprocess
 import sys
@@ -22,7 +22,7 @@ def inner(x):
     return 2.0 * x
 
 
-def test_what_is_compiled_gives_what_python_gives():
+def test_compiled_functions_agree_with_python():
     arguments = (0.1, -0.4, 0.3, 0.2, 0.5, 0.6), -0.2, HelicopterParameters()
     assert compiler().part(internal_dynamics)(*arguments) == pytest.approx(internal_dynamics(*arguments), rel=1e-14)
 

@@ -94,7 +94,7 @@ def test_observations_rewards_and_states_handed_out_are_not_changed_by_later_ste
         assert_array_equal(now[4]["state"], then[4]["state"])
 
 
-def test_changing_what_was_handed_out_does_not_change_the_flight():
+def test_changing_returned_values_does_not_change_the_flight():
     vandal, env = Heli3DOFEnv(), Heli3DOFEnv()
     observation, info = vandal.reset(seed=0)
     env.reset(seed=0)
@@ -185,7 +185,7 @@ def test_an_environment_survives_pickle_and_copy_in_the_middle_of_a_flight():
     ("mode", "arguments"),
     [("sync", {}), ("async", {"context": "spawn"})],  # fresh processes, so that the spec has to carry everything
 )
-def test_vector_environments_fly_what_single_ones_fly(mode, arguments):
+def test_vector_environments_fly_like_single_ones(mode, arguments):
     fleet = gym.make_vec(
         "heli_gym:Heli3DOF-v0", 2, vectorization_mode=mode, vector_kwargs=arguments, start_spread_deg=5.0
     )
@@ -225,7 +225,7 @@ def packaged_samples() -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize("step", [0, 1, 300, 470])
-def test_each_entry_of_an_observation_is_what_the_table_says(step):
+def test_each_entry_of_an_observation_agrees_with_the_table(step):
     x, u = packaged_samples()
     flight = episode(Heli3DOFEnv(start_spread_deg=5.0), 0, actions(2, step))
     observation, state = flight[step][0], flight[step][4]["state"]
@@ -450,7 +450,7 @@ def test_a_flight_is_terminated_exactly_when_the_pitch_leaves_its_limit(pitch_li
     assert flight[-1][4]["is_success"] is False
 
 
-def test_success_is_told_at_the_end_and_takes_the_whole_maneuver_within_tolerance():
+def test_success_requires_the_whole_maneuver_with_an_end_within_tolerance():
     env = Heli3DOFEnv()
     policy = make_policy("feedforward+tvlqr", env.reference)
     _, info = env.reset(options={"state": [0.05, 0.0, -0.05, 0.0, 0.1, 0.0]})
@@ -691,7 +691,7 @@ def test_bad_seeds_are_refused_in_gymnasiums_type_and_pythons(seed):
     assert_array_equal(env.reset(seed=4)[0], first)
 
 
-def test_options_of_none_are_no_options():
+def test_options_of_none_have_no_effect():
     env = Heli3DOFEnv(start_spread_deg=3.0)
     first = env.reset(seed=4)[0]
     assert_array_equal(env.reset(seed=4, options={"state": None, "plant": None})[0], first)
@@ -786,7 +786,7 @@ class Drawn:
     ],
     ids=["no trajectory", "too long", "too steep"],
 )
-def test_what_a_sampler_must_not_draw_is_named_at_reset(sampler, said):
+def test_reset_names_an_invalid_draw_of_a_sampler(sampler, said):
     env = Heli3DOFEnv(reference=sampler)
     with pytest.raises(ValueError, match=f"reference: .*{said}"):
         env.reset(seed=0)

@@ -1,4 +1,4 @@
-"""In a notebook, values show themselves: short texts, plots and pictures."""
+"""Displays of values in a notebook: short texts, plots and pictures."""
 
 import io
 

@@ -1,4 +1,4 @@
-"""Parameters and limits are immutable values that cannot contradict each other."""
+"""Parameters and limits are immutable, consistent values."""
 
 import dataclasses
 import math
@@ -48,7 +48,7 @@ def test_windows_are_the_limits():
     assert limits.pitch == (-0.4, 0.7)
 
 
-def test_limits_are_told_in_volts_and_degrees():
+def test_limits_are_printed_in_volts_and_degrees():
     assert (
         str(Limits(u_min=-3.0, u_max=10.5, pitch_min=math.radians(-25.0))) == "-3 to 10.5 V and -25 to 50 deg of pitch"
     )

@@ -118,7 +118,7 @@ def test_viscous_friction_lets_free_travel_die_out_exponentially():
     assert_allclose(simulate(plant, x=(0, 0.5, 0, 0, 0, 0)).x[1, -1], 0.5 * math.exp(-0.4 * 2.0), rtol=1e-8)
 
 
-def test_coulomb_friction_takes_the_same_speed_off_whatever_the_speed():
+def test_coulomb_friction_decelerates_equally_at_all_speeds():
     plant = Plant(friction=Friction(coulomb=(0.05, 0.0, 0.0)))
     for rate in (0.5, -1.0):
         change = simulate(plant, x=(0, rate, 0, 0, 0, 0)).x[1, -1] - rate
@@ -139,7 +139,7 @@ def test_estimated_rates_converge_to_a_constant_rate():
     assert_allclose(flight.measured[1, -1], 0.7, rtol=1e-6)
 
 
-def test_noise_has_the_standard_deviation_that_was_asked_for():
+def test_noise_has_the_requested_standard_deviation():
     flight = simulate(Plant(sensors=Sensors(counts=(10**9,) * 3, noise=0.01)), duration=40.0)
     errors = flight.measured[0::2] - flight.x[0::2]
     assert_allclose(errors.std(axis=1), 0.01, rtol=0.06)
@@ -219,7 +219,7 @@ def test_thrust_maps_delays_in_seconds_gains_and_lift_agree_with_an_adaptive_int
     assert_allclose(simulate(plant, voltages, start, duration=0.5).x[:, -1], z[:6], atol=1e-6)
 
 
-def test_a_delay_in_seconds_is_the_same_whatever_the_control_period():
+def test_a_delay_in_seconds_does_not_depend_on_the_control_period():
     plant = Plant(rotors=Rotors(lag=0.1, delay=0.033))
     flights = [simulate(plant, (9.0, 7.0), duration=1.0, dt=dt).x[:, -1] for dt in (0.02, 0.004, 0.05)]
     assert_allclose(flights[1], flights[0], atol=1e-7)
@@ -477,7 +477,7 @@ def test_a_value_that_no_rig_has_is_refused_by_name(make, name):
         make()
 
 
-def test_whatever_may_be_a_range_is_drawn_and_flown():
+def test_every_parameter_that_may_be_a_range_is_drawn_and_flown():
     one, several = Uniform(0.1, 0.2), (Uniform(0.1, 0.2),) * 3
     plant = Plant(
         parameters=HelicopterParameters(k_plus=Uniform(4e-3, 5e-3), b1=Uniform(-0.7, -0.6)),

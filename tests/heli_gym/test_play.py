@@ -1,4 +1,4 @@
-"""Flight by keyboard: what the keys do, and that the paper's feedback helps."""
+"""Flight by keyboard: effects of the keys, and of the paper's feedback."""
 
 import math
 import subprocess
@@ -76,7 +76,7 @@ def test_every_combination_of_keys_is_an_action(wrap):
 # The feedback
 
 
-def test_the_gain_makes_hover_stable_and_is_what_the_riccati_equation_settles_at():
+def test_the_gain_stabilises_hover_and_is_the_limit_of_the_riccati_equation():
     A, B = linearise(np.zeros(6), virtual_input(thrust(voltages())), TABLE_I)
     K = hold_gain()
     assert np.linalg.eigvals(A - B @ K).real.max() < -0.3
@@ -92,7 +92,7 @@ def test_the_gain_makes_hover_stable_and_is_what_the_riccati_equation_settles_at
     assert_allclose(np.linalg.solve(R, B.T @ P), K, rtol=5e-3, atol=5e-3 * np.abs(K).max())
 
 
-def test_a_set_point_has_the_accelerations_that_were_asked_for():
+def test_a_set_point_has_the_requested_accelerations():
     rng = np.random.default_rng(0)
     for position, rate, acceleration in zip(*rng.uniform(-0.3, 0.3, (3, 20, 2))):
         x, v = set_point(position, rate, acceleration, TABLE_I)
@@ -130,7 +130,7 @@ def test_without_help_and_hands_off_it_keeps_swinging():
 
 @pytest.mark.parametrize("plant", ["nominal", "lab", "rigid"])
 @pytest.mark.parametrize("seed", [0, 1])
-def test_with_help_it_flies_where_it_is_told_on_every_plant(plant, seed):
+def test_with_help_it_follows_commands_on_every_plant(plant, seed):
     commands = np.array([(float(k < 300), -float(k < 100) + float(k >= 380)) for k in range(499)])
     env = Assist(Heli3DOFEnv(plant))
     set_points = [np.zeros(2)]
@@ -216,7 +216,7 @@ def test_bad_arguments_are_refused_with_a_message_that_names_them(arguments):
         main(arguments)
 
 
-def test_without_pygame_the_command_says_what_to_install(monkeypatch):
+def test_without_pygame_the_command_names_the_extra_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "pygame", None)
     with pytest.raises(SystemExit, match=r"pip install \"heli-gym\[render\]\""):
         main([])

@@ -1,4 +1,4 @@
-"""The pictures: where things are, against MuJoCo and a camera matrix; what is seen; and Gymnasium's rules."""
+"""Pictures: positions against MuJoCo and a camera matrix, visibility, and Gymnasium's rules."""
 
 import math
 import subprocess
@@ -98,7 +98,7 @@ def test_projection_is_that_of_a_camera_matrix():
     assert_allclose(pixels, (x / w, y / w), rtol=1e-10)
 
 
-def test_what_the_camera_looks_at_is_in_the_centre_and_what_is_higher_is_above():
+def test_the_camera_target_is_in_the_centre_and_higher_points_are_above():
     camera = Camera((1.0, -2.0, 1.5), (0.0, 0.0, 0.2), 700.0, (320.0, 200.0))
     pixels, depth = project((0.0, 0.0, 0.2), camera)
     assert_allclose(pixels, camera.centre, atol=1e-12)
@@ -148,7 +148,7 @@ def test_moving_the_rig_keeps_its_shape():
         )
 
 
-def test_shadows_are_below_what_throws_them():
+def test_shadows_are_below_their_objects():
     at = pose((0.7, 0.0, 0.2, 0.0, 0.5, 0.0))
     *_, front, back = shadows(at)
     assert_allclose(
@@ -189,7 +189,7 @@ def test_a_picture_is_an_array_of_bytes_four_to_three(width):
     assert picture.flags.writeable
 
 
-def test_the_same_scene_is_the_same_picture_whatever_was_drawn_before(renderer):
+def test_equal_scenes_give_equal_pictures_after_any_other_picture(renderer):
     first = renderer.frame(ASTRAY)
     renderer.frame(HOVER._replace(voltage_limits=(-12.0, 12.0)))
     assert_array_equal(renderer.frame(ASTRAY), first)
@@ -265,7 +265,7 @@ def test_another_width_is_refused(width):
         Renderer(width)
 
 
-def test_without_pygame_the_message_says_what_to_install(monkeypatch):
+def test_without_pygame_the_message_names_the_extra_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "pygame", None)
     with pytest.raises(gym.error.DependencyNotInstalled, match=r"pip install \"heli-gym\[render\]\""):
         Renderer()
@@ -298,7 +298,7 @@ class Recorder:
         self.ticks.append(rate)
 
 
-def test_a_window_shows_flights_in_real_time_and_leaves_out_what_is_too_fast_to_see(renderer):
+def test_a_window_shows_flights_in_real_time_and_skips_excess_frames(renderer):
     renderer.show(HOVER)
     renderer.clock = clock = Recorder()
     for milliseconds in range(1, 101):

@@ -1,4 +1,4 @@
-"""Rigs: packaged ones, files in both forms, masses and back, and what is refused."""
+"""Rigs: packaged ones, files in both forms, conversion to masses and back, invalid values."""
 
 import math
 
@@ -226,7 +226,7 @@ def test_a_file_of_masses_is_the_rig_of_these_masses():
 
 
 @pytest.mark.parametrize("rig", [*rig_names(), FORM])
-def test_what_is_saved_is_loaded_again_exactly(rig, tmp_path):
+def test_saved_values_are_loaded_exactly(rig, tmp_path):
     rig = find_rig(rig) if rig in rig_names() else Rig.from_toml(rig)
     rig.save(tmp_path / "rig.toml")
     loaded = Rig.load(tmp_path / "rig.toml")
@@ -252,7 +252,7 @@ def test_what_is_saved_is_loaded_again_exactly(rig, tmp_path):
         ("voltage_limits = [-10, 10]", "voltage_limits = 10", r"voltage_limits = 10: must be two finite numbers"),
     ],
 )
-def test_what_is_wrong_in_a_file_is_named_with_its_line(old, new, message, tmp_path):
+def test_an_error_in_a_file_is_named_with_its_line(old, new, message, tmp_path):
     path = tmp_path / "mine.toml"
     path.write_text(FORM.replace(old, new, 1))
     with pytest.raises(ValueError, match=message) as raised:

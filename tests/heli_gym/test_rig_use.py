@@ -62,7 +62,7 @@ def test_a_file_carries_the_rig(tmp_path):
     assert Trajectory.load(tmp_path / "plan.npz", rig="ntnu").rig == NTNU
 
 
-def test_a_file_for_another_rig_is_refused_with_what_differs(tmp_path):
+def test_a_file_for_another_rig_is_refused_and_differences_are_named(tmp_path):
     still(NTNU).save(tmp_path / "plan.npz")
     with pytest.raises(
         ValueError, match=r"plan\.npz' is for the rig 'ntnu', .* 'paper': a1 0 and -1.1713; .*thrust map"

@@ -131,7 +131,7 @@ def test_workers_do_each_block_once_and_leave_the_other_threads_out_where_these_
 
 
 @pytest.mark.parametrize("n", [1, LANES - 1, LANES, LANES + 1, 3 * LANES + 8])
-def test_each_helicopter_flies_as_if_it_were_alone_whatever_block_it_is_in(n):
+def test_each_helicopter_flies_as_if_alone_in_any_block(n):
     together, controls = simulation([PLANTS["lab"]] * n), actions(5, n)
     outputs = [together.step(action)[1:] for action in controls]
     for j in {0, n // 2, n - 1}:
@@ -168,7 +168,7 @@ def test_plants_delays_and_references_may_differ_from_helicopter_to_helicopter()
             assert outputs[TIME, j] == 0.02 * alone.record().step[0]
 
 
-def test_the_plant_that_is_told_is_the_plant_that_is_flown():
+def test_the_reported_plant_is_the_flown_plant():
     flights = simulation([PLANTS["rigid"]] * 50)
     record = flights.record()
     for j in range(50):
@@ -241,7 +241,7 @@ def test_the_normal_numbers_are_normal_and_independent():
 
 
 @pytest.mark.slow
-def test_kernels_are_kept_on_disk_and_importing_compiles_nothing(tmp_path):
+def test_kernels_are_cached_on_disk_and_importing_compiles_nothing(tmp_path):
     script = """
 import numba.core.event as event, json
 with event.install_recorder("numba:compile") as recorder:

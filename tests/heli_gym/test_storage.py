@@ -1,4 +1,4 @@
-"""A file is there whole, or as it was before."""
+"""Atomic writes: a file holds the new contents or the old ones."""
 
 import multiprocessing
 import os
@@ -14,7 +14,7 @@ from heli_gym.storage import atomic_write, check_folder
 
 
 @pytest.mark.parametrize("kind", [str, lambda path: path], ids=["str", "Path"])
-def test_what_is_written_is_there_afterwards_and_folders_are_made(tmp_path, kind):
+def test_a_write_makes_folders_and_stores_the_data(tmp_path, kind):
     path = tmp_path / "new" / "folder" / "file.bin"
     with atomic_write(kind(path)) as file:
         file.write(b"some ")
@@ -35,7 +35,7 @@ def test_the_old_content_stays_until_all_is_written(tmp_path):
 
 @pytest.mark.parametrize("failure", [ValueError, KeyboardInterrupt])
 @pytest.mark.parametrize("existing", [True, False])
-def test_a_failure_leaves_what_was_there_and_no_litter(tmp_path, failure, existing):
+def test_a_failed_write_leaves_the_old_file_and_no_temporary_file(tmp_path, failure, existing):
     path = tmp_path / "file"
     if existing:
         path.write_bytes(b"old")
@@ -81,7 +81,7 @@ def test_threads_that_write_the_same_file_at_once_all_succeed(tmp_path):
 
 
 @pytest.mark.parametrize("name", [".file.{}.tmp", ".file.{}-0123abcd.tmp"])
-def test_what_a_kill_left_is_removed_by_the_next_write_and_what_is_being_written_stays(tmp_path, name):
+def test_the_next_write_removes_files_of_a_killed_write_but_not_of_a_running_one(tmp_path, name):
     gone = subprocess.Popen([sys.executable, "-c", ""])
     gone.wait()
     (tmp_path / name.format(gone.pid)).write_bytes(b"half")
@@ -109,7 +109,7 @@ def test_a_kill_in_the_middle_of_writing_leaves_the_old_file_and_no_litter_for_l
     assert os.listdir(tmp_path) == ["file"]
 
 
-def test_nothing_is_lost_of_what_processes_and_threads_change_at_once(tmp_path):
+def test_concurrent_changes_by_processes_and_threads_are_all_stored(tmp_path):
     path = tmp_path / "count"
     context = multiprocessing.get_context("spawn")
     processes = [context.Process(target=writers.count_up, args=(path, 50)) for _ in range(2)]

@@ -51,7 +51,7 @@ def test_a_batch_is_its_members(name):
 
 @pytest.mark.parametrize("name", ["reward", "cost", "crashed", "succeeded"])
 @given(errors, volts)
-def test_lists_of_floats_give_what_arrays_give(name, x, u):
+def test_lists_of_floats_give_the_same_as_arrays(name, x, u):
     functions = {
         "reward": task.reward,
         "cost": lambda x, u: task.cost(x[4], u, LIMITS),

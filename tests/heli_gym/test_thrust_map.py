@@ -1,4 +1,4 @@
-"""Thrust curves: what they are, and that thrust and voltage are inverses."""
+"""Thrust curves against their definitions; thrust and voltage are inverses."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""A maneuver asks for what hover can hold; a trajectory is checked, read-only, smooth in between, and saved whole."""
+"""Maneuvers and trajectories: validation, immutability, interpolation, files."""
 
 import dataclasses
 import math
@@ -74,7 +74,7 @@ def test_a_maneuver_is_an_immutable_value():
         maneuver.duration = 5.0
 
 
-def test_a_maneuver_tells_what_is_asked_in_degrees():
+def test_a_maneuver_prints_its_goal_in_degrees():
     text = str(Maneuver(start=(0.0, math.radians(5.0)), goal=(math.pi, 0.0), duration=8.0))
     assert text == "travel 0 to 180 deg, elevation 5 to 0 deg in 8 s within 1 to 11 V and -50 to 50 deg of pitch"
 
@@ -219,7 +219,7 @@ def test_a_second_trajectory_that_starts_elsewhere_or_has_other_limits_is_refuse
 
 
 @given(trajectories())
-def test_load_returns_what_save_wrote(tmp_path_factory, trajectory):
+def test_load_inverts_save(tmp_path_factory, trajectory):
     path = tmp_path_factory.mktemp("round") / "trip.npz"
     limits = Limits(u_min=-1.0, u_max=10.0, pitch_min=-0.3, pitch_max=0.6)
     saved = dataclasses.replace(trajectory, limits=limits)

@@ -45,7 +45,7 @@ def assert_same(actual, expected, where):
 
 @pytest.mark.parametrize("mode", [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP])
 @pytest.mark.parametrize("arguments", ARGUMENTS, ids=["nominal", "lab", "rigid", "gusty", "drawn references"])
-def test_each_helicopter_flies_what_a_single_environment_with_its_seed_flies(mode, arguments):
+def test_each_helicopter_flies_like_a_single_environment_with_its_seed(mode, arguments):
     n, rng = 3, np.random.default_rng(0)
     together = Heli3DOFVectorEnv(n, autoreset_mode=mode, **arguments)
     apart = SyncVectorEnv([lambda: Heli3DOFEnv(**arguments)] * n, autoreset_mode=mode)
@@ -72,7 +72,7 @@ def test_make_vec_makes_the_native_one():
     assert envs.observation_space.contains(observation)
 
 
-def test_a_masked_reset_starts_those_that_are_meant_and_leaves_the_others():
+def test_a_masked_reset_starts_only_the_masked_helicopters():
     envs = Heli3DOFVectorEnv(4, plant="lab", reference="travel-90-climb", autoreset_mode="Disabled")
     mask = np.array([True, False, False, True])
     envs.reset(seed=0)
@@ -138,7 +138,7 @@ def test_arrays_that_are_handed_out_are_not_written_again():
         (lambda: Heli3DOFVectorEnv(2).reset(seed=[1, 2, 3]), "seed = "),
     ],
 )
-def test_what_is_not_known_is_refused_by_name(make, message):
+def test_unknown_names_are_refused(make, message):
     with pytest.raises(ValueError, match=message):
         make()
 
@@ -230,7 +230,7 @@ def test_changing_any_array_that_was_handed_out_changes_no_flight(mode):
         assert_array_equal(over, other)
 
 
-def test_after_a_reset_that_fails_what_was_flown_before_is_flown_on():
+def test_flights_continue_after_a_failed_reset():
     envs = Heli3DOFVectorEnv(2)
     with pytest.raises(ValueError, match="state"):
         envs.reset(options={"state": np.full(6, 50.0)})

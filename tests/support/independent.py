@@ -1,4 +1,4 @@
-"""The paper's equations typed a second time, and solvers that the package does not use: what the tests compare with."""
+"""Independent references for the tests: the paper's equations typed again, and solvers outside the package."""
 
 import functools
 import math

@@ -1,4 +1,4 @@
-"""Functions for other processes, which have to import them by name."""
+"""Functions that other processes import by name."""
 
 from heli_gym.storage import atomic_write, locked
 

@@ -38,7 +38,7 @@ def test_learning_reduces_the_loss_of_the_same_flights_and_a_callback_can_end_it
     assert last < 0.93 * first
 
 
-def test_numpy_computes_what_torch_computes_over_many_steps():
+def test_numpy_and_torch_agree_over_many_steps():
     torch.manual_seed(0)
     actor = Actor(41, 96)
     with torch.no_grad():

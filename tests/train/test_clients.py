@@ -1,4 +1,4 @@
-"""Wrappers of Gymnasium that other libraries rely on."""
+"""Gymnasium wrappers that other libraries rely on."""
 
 import gymnasium as gym
 import pytest

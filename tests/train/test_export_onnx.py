@@ -12,7 +12,7 @@ from heli_gym.train.export_onnx import Args, main, onnx_model
 
 
 @pytest.mark.parametrize("tanh_output", [False, True])
-def test_the_exported_network_computes_what_numpy_computes(tanh_output):
+def test_the_exported_network_agrees_with_numpy(tanh_output):
     rng = np.random.default_rng(0)
     shapes = ((8, 5), (4, 8), (2, 4))
     network = Network(
@@ -25,7 +25,7 @@ def test_the_exported_network_computes_what_numpy_computes(tanh_output):
     assert_allclose(actions, network(features.T.astype(float)).T, atol=1e-5)
 
 
-def test_the_exported_recurrent_network_computes_what_numpy_computes_over_many_steps():
+def test_the_exported_recurrent_network_agrees_with_numpy_over_many_steps():
     rng = np.random.default_rng(0)
     shapes = ((12, 7), (12, 4), (12,), (12,))
     head = Network((rng.standard_normal((2, 4)),), (rng.standard_normal(2),), True)
@@ -53,6 +53,6 @@ def test_the_policies_of_the_package_can_be_exported(tmp_path, plant):
     assert_allclose(actions, (expected[0] if settings.recurrent else expected).T, atol=1e-5)
 
 
-def test_what_is_no_policy_is_named(tmp_path):
+def test_an_invalid_policy_is_named(tmp_path):
     with pytest.raises(SystemExit, match=r"none\.json"):
         main(Args(tmp_path / "none.json", tmp_path / "one.onnx"))

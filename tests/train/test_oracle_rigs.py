@@ -1,4 +1,4 @@
-"""The oracle optimises the rig that flies, whatever its coefficients and thrust map."""
+"""The oracle optimises the flown rig, for any coefficients and thrust map."""
 
 import pytest
 

@@ -24,7 +24,7 @@ SMALL = Args(policies=("feedforward+tvlqr",), against="feedforward+tvlqr", refer
 RESULTS = Path(__file__).parents[2] / "results"
 
 
-def test_every_policy_flies_the_same_draws_and_the_table_says_what_they_did(tmp_path):
+def test_every_policy_flies_the_same_draws_and_the_table_agrees_with_the_flights(tmp_path):
     args = Args(
         policies=("feedforward+tvlqr", "kalman-lqr"),
         against="feedforward+tvlqr",
@@ -126,7 +126,7 @@ def test_a_solver_that_gives_up_says_so():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("plant", ["lab", "rigid"])
-def test_the_oracle_flies_what_it_planned_and_no_policy_does_better(plant):
+def test_the_oracle_flies_its_plan_and_no_policy_is_better(plant):
     env = Heli3DOFEnv(delayed(plant), "climb-7.5", 0.05, start_spread_deg=5.0)
     reference = env.reference
     oracle = Oracle(env.plant, reference, env.control_period, env.voltage_limits, env.pitch_limit)

@@ -1,4 +1,4 @@
-"""`heli-sweep`: studies become trials, bad ones are refused by name, and a trial is the run that `heli-train` makes."""
+"""`heli-sweep`: trials of studies, messages for invalid ones, and equality of a trial with a run of `heli-train`."""
 
 import csv
 import os

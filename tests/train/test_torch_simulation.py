@@ -78,6 +78,6 @@ def test_the_return_has_a_gradient_with_respect_to_the_actions():
 @pytest.mark.parametrize(
     "plant", [Plant(sensors=Sensors(noise=0.01)), Plant(disturbances=(Gust("pitch", 0.5),)), Plant(travel_lift=-0.1)]
 )
-def test_plants_with_what_torch_does_not_simulate_are_refused(plant):
+def test_plants_with_effects_that_torch_lacks_are_refused(plant):
     with pytest.raises(ValueError, match="noise"):
         torch_simulation.to_torch(simulation([plant]))

@@ -83,7 +83,7 @@ def test_flights_start_spread_over_the_maneuver():
     assert_allclose(vec.info["time"], SHORT.duration * np.arange(5) / 5, atol=0.02)
 
 
-def test_what_only_the_critic_sees_does_not_reach_the_actor():
+def test_the_critics_inputs_do_not_reach_the_actor():
     vec = helicopters(privileged=True)
     agent = make_agent(SMALL, vec)
     observation = torch.zeros((1, vec.observation_space.shape[0]))
@@ -171,7 +171,7 @@ def test_a_run_is_never_overwritten_and_goes_on_with_its_own_settings_only(tmp_p
     assert (folder / "history.json").read_text() == before
 
 
-def test_a_network_that_crashes_early_is_not_the_best_whatever_its_errors_until_then():
+def test_a_network_that_crashes_early_is_never_the_best():
     row = {"success": 0.0, "rms_error_deg": [1.0, 1.0, 1.0], "flown": 2.0, "cost": 0.0}
     poor = {"success": 0.0, "rms_error_deg": [40.0, 10.0, 9.0], "flown": 5.0, "cost": 5.0}
     assert score(SMALL, row) < score(SMALL, poor)

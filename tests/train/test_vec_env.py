@@ -1,4 +1,4 @@
-"""`HeliVecEnv`: what `make_vec_env` makes, to every client of Stable-Baselines3."""
+"""`HeliVecEnv` is equivalent to `make_vec_env` for clients of Stable-Baselines3."""
 
 import gymnasium as gym
 import numpy as np
@@ -67,7 +67,7 @@ def test_steps_infos_and_episodes_are_those_of_make_vec_env(action):
 
 
 @pytest.mark.filterwarnings("ignore:The environment is already wrapped with a `Monitor`")
-def test_evaluate_policy_reports_what_it_reports_of_make_vec_env():
+def test_evaluate_policy_reports_the_same_as_for_make_vec_env():
     found = []
     for vec in (native(), usual(), VecMonitor(native())):
         vec.seed(0)

@@ -1,4 +1,4 @@
-"""Rigs that are known are found again, within the errors that are stated; predictions beat plain ones."""
+"""Known rigs are identified within the stated errors; predictions are better than simple ones."""
 
 import json
 from pathlib import Path
@@ -134,7 +134,7 @@ def test_judged_windows_lie_after_the_fitted_share_and_in_the_air():
     assert t[starts].max() < 24.0
 
 
-def test_predictions_do_not_use_what_comes_later(known, model):
+def test_predictions_do_not_use_later_samples(known, model):
     log = known[2]
     angles = log.angles.copy()
     angles[:, 2000:] += 1.0

@@ -1,4 +1,4 @@
-"""The experiment keeps its limits and tells what it promises."""
+"""The experiment meets its limits and prints its expected errors."""
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ def experiment():
     return design(find_rig("ntnu"), 40.0)
 
 
-def test_it_keeps_the_limits_of_the_rig(experiment):
+def test_it_meets_the_limits_of_the_rig(experiment):
     rig, log = find_rig("ntnu"), experiment.log
     assert rig.limits.u_min <= log.voltages.min() and log.voltages.max() <= rig.limits.u_max
     assert np.abs(log.angles[2]).max() < rig.limits.pitch_max

@@ -1,4 +1,4 @@
-"""Logs: what is loaded, on which grid, and what is said of files that hold something else."""
+"""Logs: loaded signals, their grid, and messages for other files."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""The model of real rigs against the equations that it comes from, and its derivatives."""
+"""Model of real rigs against its equations, and its derivatives."""
 
 import numpy as np
 import pytest
