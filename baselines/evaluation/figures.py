@@ -26,6 +26,7 @@ from heli_gym.trajectory import Maneuver, Trajectory
 DPI = 150
 FORMATS = ("png", "pdf", "svg")
 COLUMN_WIDTHS = {1: 3.5, 2: 7.16}  # inches: one and two columns of a journal
+STACKED_HEIGHT = 1.25  # inches of a panel, where panels stand in one column
 TALLER = {1: 0.19, 2: 0.13}  # additional height per inch of on-screen width
 LEGEND_LETTERS = 55  # per row of a legend, in one column
 FONT_SIZES, PRINT_DPI = {1: 6.0, 2: 7.5}, 300
@@ -264,7 +265,11 @@ def save(figure: Figure, path: str | os.PathLike, columns: int = 0) -> None:
     if columns:
         width, height = figure.get_size_inches()
         print_width = COLUMN_WIDTHS[columns]
-        figure.set_size_inches(print_width, print_width * height / width * max(1.0, TALLER[columns] * width))
+        if columns == 1 and len(figure.axes) > 2:
+            stack_panels(figure)
+            figure.set_size_inches(print_width, STACKED_HEIGHT * len(figure.axes) + 1.0)
+        else:
+            figure.set_size_inches(print_width, print_width * height / width * max(1.0, TALLER[columns] * width))
         for legend in figure.legends:  # as many rows as the width requires
             handles: Any = legend.legend_handles
             labels = [text.get_text() for text in legend.get_texts()]
@@ -298,6 +303,18 @@ def rows_of_panels(figure: Figure, *counts: int) -> list[Axes]:
         for start in range(0, columns, width):
             panels.append(figure.add_subplot(grid[row, start : start + width], xlabel="time (s)"))
     return panels
+
+
+def stack_panels(figure: Figure) -> None:
+    """Put all panels of a figure below each other; only the lowest names the common time axis."""
+    panels = list(figure.axes)
+    grid = figure.add_gridspec(len(panels), 1)
+    for row, axes in enumerate(panels):
+        axes.set_subplotspec(grid[row, 0])
+        axes.tick_params(labelbottom=True)
+        if row < len(panels) - 1 and axes.get_xlabel() == panels[-1].get_xlabel():
+            axes.set_xlabel("")
+    figure.align_ylabels()
 
 
 def columns_of_panels(figure: Figure, rows: int, columns: int) -> np.ndarray:
