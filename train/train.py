@@ -124,7 +124,7 @@ DEFAULTS: dict[str, dict[str, Any]] = {
 
 @dataclass(frozen=True)
 class CompleteArgs(Args):
-    """Settings of which each has a value, from `with_defaults`."""
+    """Complete settings, from `with_defaults`."""
 
     scale: float = field(kw_only=True)
     feature_groups: tuple[str, ...] = field(kw_only=True)

@@ -137,14 +137,14 @@ def robustness(args: Args, console: Console) -> None:
                 continue
             requested = replace(maneuver, duration=ratio * shortest)
             trajectory, seconds = time_planner(plan, requested)
-            kept = trajectory is not None and meets_its_limits(requested, trajectory)
+            within_limits = trajectory is not None and meets_its_limits(requested, trajectory)
             spare += ratio >= TO_SPARE
             rows.append(
                 {
                     "maneuver": str(requested),
                     "duration / shortest known": ratio,
                     "planned": trajectory is not None,
-                    "limits kept": kept,
+                    "limits kept": within_limits,
                     "seconds": seconds,
                 }
             )
@@ -181,14 +181,14 @@ def shortest(args: Args, console: Console) -> None:
         known = shortest_known(maneuver)
         trajectory, seconds = time_planner(plan_fastest, maneuver)
         found = math.inf if trajectory is None else trajectory.duration
-        kept = trajectory is not None and meets_its_limits(replace(maneuver, duration=found), trajectory)
+        within_limits = trajectory is not None and meets_its_limits(replace(maneuver, duration=found), trajectory)
         rows.append(
             {
                 "maneuver": str(maneuver),
                 "collocation": known,
                 "spline": found,
                 "ratio": found / known,
-                "limits kept": kept,
+                "limits kept": within_limits,
                 "seconds": seconds,
             }
         )
