@@ -157,7 +157,7 @@ def warn_uncached(reason: str) -> None:
     """Warn once per process that compiled functions are not cached."""
     if not warned:
         warned.append(reason)
-        message = f"the cache of compiled functions {reason}; they are compiled anew in each process"
+        message = f"the cache of compiled functions {reason}; they are compiled again in each process"
         warnings.warn(message, RuntimeWarning, stacklevel=2)
 
 

@@ -219,7 +219,7 @@ def identify(
     known = np.sqrt(np.diag(covariance)) < UNDETERMINED * spread
     undetermined = [name for name, is_known in zip(free, known) if not is_known]
     if undetermined:
-        progress(f"the data do not determine {', '.join(undetermined)}: kept at the prior")
+        progress(f"the data do not determine {', '.join(undetermined)}: they stay at the prior")
         for name in undetermined:
             theta[NAMES.index(name)] = centre[NAMES.index(name)]
         free = [name for name in free if name not in undetermined]
