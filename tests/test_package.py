@@ -135,6 +135,7 @@ def test_importing_the_environment_or_the_policies_loads_nothing_heavy():
     [
         ("heli_gym", "HelicopterParameters Limits Maneuver Trajectory dynamics linearise thrust voltage"),
         ("heli_gym.baselines", "InfeasibleManeuver fly make_policy plan riccati_gains"),
+        ("heli_gym.train", "APG HeliVecEnv ResidualVecEnv"),
     ],
 )
 def test_public_names(module, names):
