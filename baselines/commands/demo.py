@@ -108,14 +108,14 @@ def solve_chain(pitch_limit_deg: float, window: tuple[float, float]) -> list[lis
     last: Solution | None = None
     for duration in reversed(DURATIONS):
         requested = maneuver(duration, pitch_limit_deg, window)
-        last = solve_from_unconsnetwork_data(requested) if last is None else shorten(last, requested)
+        last = solve_from_unconstrained(requested) if last is None else shorten(last, requested)
         if last is None or not is_sound(requested, last):
             break
         plans.insert(0, last.p.tolist())
     return [*([None] * (len(DURATIONS) - len(plans))), *plans]
 
 
-def solve_from_unconsnetwork_data(requested: Maneuver) -> Solution | None:
+def solve_from_unconstrained(requested: Maneuver) -> Solution | None:
     """Solve (38) from the solution of (14), as in the paper."""
     unconstrained = solve_unconstrained(requested)
     problem = ConstrainedProblem(requested)
