@@ -331,6 +331,7 @@ def test_the_page_opens_without_complaint_fits_and_flies(page, size):
         assert before != after
 
 
+@pytest.mark.slow
 def test_a_push_moves_the_pitch(page):
     script = """
         await page.locator("select").selectOption("0.25");
@@ -354,6 +355,7 @@ def test_a_push_moves_the_pitch(page):
     assert open_loop - reference > 2.0
 
 
+@pytest.mark.slow
 def test_a_slider_changes_the_flight_and_a_missing_plan_is_reported(page, papers_plan):
     script = """
         const references = [];
@@ -412,6 +414,7 @@ def test_plants_and_policies_are_chosen_with_the_keyboard_too(page):
     assert seen["focused"] == "BUTTON"
 
 
+@pytest.mark.slow
 def test_the_residual_policy_uses_the_plants_network_and_differs_from_its_base(page):
     script = """
         const shown = async () => {

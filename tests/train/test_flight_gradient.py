@@ -41,6 +41,7 @@ def random_weights(task, hidden, dtype, seed=0):
     return Weights(*((0.3 * rng.standard_normal(shape)).astype(dtype) for shape in shapes))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plant", ["lab", "rigid"])
 def test_the_gradient_is_that_of_central_differences_where_sensors_are_smooth(plant):
     envs = helicopters(plant)
