@@ -371,8 +371,8 @@ def score(args: Args, row: dict[str, Any]) -> float:
     if args.objective == "environment":
         return row["episode_return"]
     travel, elevation = np.radians(row["rms_error_deg"][:2]) / HALVING_ERROR
-    unflown = 1.0 - row["flown"] / reference_of(args).duration
-    return row["success"] - 0.5 * (travel + elevation) - 0.25 * row["cost"] - EARLY_END_PENALTY * unflown
+    missing_share = 1.0 - row["flown"] / reference_of(args).duration
+    return row["success"] - 0.5 * (travel + elevation) - 0.25 * row["cost"] - EARLY_END_PENALTY * missing_share
 
 
 # Training

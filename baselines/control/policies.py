@@ -89,7 +89,7 @@ def make_policy(
     if not (is_finite(control_period) and control_period > 0.0):
         raise ValueError(f"control_period = {control_period!r}: must be a positive, finite number of seconds")
     if parameters is not None and rig is not None:
-        raise ValueError(f"parameters = {parameters}: must not be given beside a rig")
+        raise ValueError(f"parameters = {parameters}: must not be given together with a rig")
     rig = assumed_rig(reference, parameters if rig is None else rig)
     limits = rig.voltage_limits if voltage_limits is None else tuple(voltage_limits)
     if not (len(limits) == 2 and all(map(is_finite, limits)) and limits[0] < limits[1]):

@@ -69,7 +69,7 @@ def test_policies_learned_or_tuned_on_the_papers_rig_are_refused_for_another(nam
 
 def test_a_rig_and_parameters_are_not_given_together():
     reference = plan(Maneuver())
-    with pytest.raises(ValueError, match="must not be given beside a rig"):
+    with pytest.raises(ValueError, match="must not be given together with a rig"):
         make_policy("lqi", reference, parameters=PAPER.parameters, rig="paper")
 
 
