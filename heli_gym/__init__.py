@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from gymnasium import register
 
 from heli_gym.model import dynamics, linearise, thrust, voltage
-from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.parameters import Coupling, HelicopterParameters, Limits
 from heli_gym.plant import (
     PLANTS,
     Friction,
@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "PLANTS",
+    "Coupling",
     "Friction",
     "Gust",
     "Heli3DOFEnv",

@@ -28,6 +28,18 @@ class HelicopterParameters(NamedTuple):
     c3: Scalar = 0.0  # 1/s, viscous friction of pitch
 
 
+class Coupling(NamedTuple):
+    """Moments that (3) neglects and measured flights show; see `plant.with_coupling`. By default there are none."""
+
+    centrifugal: Scalar = 0.0  # share of the arm's centrifugal and Coriolis moments; 1 if all mass is along the arm
+    centre: Scalar = 0.0  # rad, elevation at which the centrifugal moment vanishes
+    spin: Scalar = 0.0  # share of the body's centrifugal moment on pitch; 1 if all its mass is at the rotors
+    gyro: Scalar = 0.0  # 1/s, gyroscopic moment on pitch of rotors with one sense of rotation
+    airflow: Scalar = 0.0  # 1/rad, pitch acceleration per signed square of the travel rate
+
+
+NO_COUPLING = Coupling()
+
 PATH_LIMITS = {  # the optional fields of Limits, and their units in words
     "elevation_min": "deg",
     "elevation_max": "deg",

@@ -7,6 +7,7 @@ Controllers are designed on nominal parameters only and never see a draw.
 
 import itertools
 import math
+import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
@@ -16,7 +17,8 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from heli_gym.notebook import short_repr
-from heli_gym.parameters import HelicopterParameters
+from heli_gym.parameters import NO_COUPLING, Coupling, HelicopterParameters
+from heli_gym.rig import Rig, find_rig
 from heli_gym.rigid_body import VARIANTS, RigidBodyParameters, solve_rigid_body
 from heli_gym.thrust_map import EXPONENTS, PowerCurve, TableCurve, ThrustCurve, ThrustMap
 
@@ -38,7 +40,9 @@ PLAIN_FRICTION = 5.0  # 1/s, largest friction for which one Runge-Kutta step of 
 # bouncing on both feet, as stiff as steps of 10 ms allow.
 CONTACT_FREQUENCY = 30.0  # rad/s
 CONTACT_DAMPING = 1.0
-FOOT_SPREAD = 0.27  # distance of a foot from the arm, in lengths of the arm: 0.178 of 0.660 m
+FOOT_SPREAD = (
+    0.27  # distance of a rotor, and of the foot below it, from the arm, in lengths of the arm: 0.178 of 0.660 m
+)
 TABLE_ELEVATION = math.radians(27.5)  # rad, of the published rigs
 NO_TABLE = 1e3  # rad, an elevation that is never reached
 
@@ -327,6 +331,28 @@ class Plant:
     hover_voltage: Number = None  # V, scales a map of power curves so that both rotors hold (3) level at it
     travel_lift: Number = 0.0  # 1/rad, acceleration of elevation (positive down) per square of the travel rate
     table: Table | None = None  # None: elevation has no stop
+    coupling: Coupling = NO_COUPLING  # moments between the axes, on top of (3)
+
+    @classmethod
+    def from_rig(cls, rig: "str | os.PathLike | Rig", **parts: Any) -> "Plant":
+        """Make the plant that a rig file describes: its coefficients, friction and coupling, thrust map with unequal
+        rotors, lag and dead time, encoders with their zeros, and its table.
+
+        `parts` are other fields of `Plant`, or replace these: `disturbances=(ThrustDrift(0.05),)`, `table=None`. The
+        amplifier's limits belong to the environment: pass it the same `rig`.
+
+        Raises ValueError as `find_rig` and `Plant`.
+        """
+        found = find_rig(rig)
+        own: dict[str, Any] = {
+            "parameters": found.parameters,
+            "thrust_map": None if found.thrust_map.is_quadratic else found.thrust_map,
+            "rotors": Rotors(lag=found.lag, delay=found.delay),
+            "sensors": Sensors(found.encoder_counts, zeros=tuple(0.0 - zero for zero in found.sensor_zeros)),
+            "table": Table(found.table_elevation),
+            "coupling": found.coupling,
+        }
+        return cls(**(own | parts))
 
     def __post_init__(self) -> None:
         check_type("parameters", self.parameters, HelicopterParameters, "HelicopterParameters")
@@ -349,6 +375,14 @@ class Plant:
             check_type("disturbances", value, Disturbance, "Push, Gust, MovingMass, RotorFault or ThrustDrift")
         check_magnitude("travel_lift", self.travel_lift, 10.0)
         check_type("table", self.table, Table | None, "Table or None")
+        check_type("coupling", self.coupling, Coupling, "Coupling")
+        for coupling in alternatives(self.coupling):
+            for name, value in coupling._asdict().items():
+                check_magnitude(f"coupling.{name}", value, math.pi / 4 if name == "centre" else 10.0)
+        if self.rig is not None and self.coupling != NO_COUPLING:
+            raise ValueError(
+                f"coupling = {self.coupling}: must be left out with a rigid body, which has its own moments"
+            )
         self._check_thrust_map()
 
     def _check_thrust_map(self) -> None:
@@ -467,6 +501,30 @@ def with_lift(dx: tuple, travel_lift: Any) -> tuple:
     """Add the elevation acceleration due to the travel rate to the derivative dx (6, ...); travel_lift in 1/rad."""
     dq1, ddq1, dq2, ddq2, dq3, ddq3 = dx
     return dq1, ddq1, dq2, ddq2 + travel_lift * dq1 * dq1, dq3, ddq3
+
+
+def with_coupling(
+    x: Any, dx: tuple, speed: Any, parameters: Any, coupling: Any, sin: Any = np.sin, cos: Any = np.cos
+) -> tuple:
+    """Add the moments of `Coupling` to the time derivative dx (6, ...) of the state x.
+
+    These are the centrifugal and Coriolis moments of arm and body, as `heli_gym.rigid_body` has them; the gyroscopic
+    moment of rotors with one sense of rotation, with its reaction on the arm, so that it does no work; and the moment
+    of the airflow on pitch. `speed` is the magnitude of the travel rate.
+    """
+    _, w1, q2, w2, q3, w3 = x
+    dq1, ddq1, dq2, ddq2, dq3, ddq3 = dx
+    p, (centrifugal, centre, spin, gyro, airflow) = parameters, coupling
+    up, along, sine, cosine = sin(q2 - centre), cos(q2 - centre), sin(q3), cos(q3)
+    reaction = gyro * FOOT_SPREAD * p.b2 / p.b3 * w3
+    return (
+        dq1,
+        ddq1 + 2.0 * centrifugal * up / along * w1 * w2 + reaction * sine,
+        dq2,
+        ddq2 - centrifugal * up * along * w1 * w1 + reaction * cosine,
+        dq3,
+        ddq3 + airflow * speed * w1 - spin * sine * cosine * (w1 * w1 - w2 * w2) + gyro * (w2 * cosine + w1 * sine),
+    )
 
 
 def with_contact(x: Any, dx: tuple, parameters: Any, table: Any, sin: Any = np.sin, cos: Any = np.cos) -> tuple:

@@ -17,7 +17,7 @@ import tomli_w
 
 from heli_gym import model
 from heli_gym.model import hover_input
-from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.parameters import NO_COUPLING, Coupling, HelicopterParameters, Limits
 from heli_gym.rigid_body import solve_rigid_body
 from heli_gym.storage import atomic_write
 from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustCurve, ThrustMap, is_number, require
@@ -104,6 +104,7 @@ class Rig:
         delay: s, nominal, from a measurement to the voltage computed from it.
         sensor_signs: +1 or -1 of travel, elevation and pitch.
         sensor_zeros: rad, likewise: angle = sign * (sensor's angle - zero).
+        coupling: moments that (3) neglects. Plans and controllers do not use them; `Plant.from_rig` does.
         limits: limits of plans; by default they leave a reserve of voltage and pitch in the proportions of (9).
         source: origin of the numbers.
 
@@ -125,6 +126,7 @@ class Rig:
     sensor_signs: tuple[int, int, int] = (1, 1, 1)
     sensor_zeros: tuple[float, float, float] = (0.0, 0.0, 0.0)
     limits: Limits = None  # type: ignore[assignment]
+    coupling: Coupling = NO_COUPLING
     source: str = field(default="", compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -150,6 +152,7 @@ class Rig:
                 require(f"parameters.{name}", value, is_number(value) and value >= 0.0, "a number, at least 0")
             else:
                 require(f"parameters.{name}", value, True, "a number")
+        self._check_coupling()
         self._check_actuator()
         self._check_sensors()
         self._check_limits()
@@ -164,6 +167,15 @@ class Rig:
         for value in values:
             require(name, value, is_number(value) and allowed(value), f"{what}, of travel, elevation and pitch")
         self._set(name, tuple(kind(value) for value in values))
+
+    def _check_coupling(self) -> None:
+        if not isinstance(self.coupling, tuple) or len(self.coupling) != len(Coupling._fields):
+            raise ValueError(f"coupling = {self.coupling!r}: must be a Coupling")
+        for name, value in Coupling(*self.coupling)._asdict().items():
+            largest = math.pi / 4 if name == "centre" else 10.0
+            allowed = is_number(value) and abs(value) <= largest
+            require(f"coupling.{name}", value, allowed, f"a number of magnitude {largest:g} at most")
+        self._set("coupling", Coupling(*map(float, self.coupling)))
 
     def _check_actuator(self) -> None:
         limits = self.voltage_limits
@@ -331,6 +343,8 @@ class Rig:
             "zeros": list(map(float, self.sensor_zeros)),
         }
         tables["limits"] = limits
+        if self.coupling != NO_COUPLING:
+            tables["coupling"] = self.coupling._asdict()
         return tomli_w.dumps(tables)
 
     def differences(self, other: "Rig") -> list[str]:
@@ -426,7 +440,7 @@ def find_rig(rig: "str | os.PathLike | Rig") -> Rig:
 # Reading a file
 
 
-TABLES = ("coefficients", "masses", "thrust", "actuator", "sensors", "limits")
+TABLES = ("coefficients", "masses", "thrust", "actuator", "sensors", "limits", "coupling")
 TOP = ("name", "source", "pitch_limit", "pitch_limit_deg", "table_elevation", "table_elevation_deg")
 
 
@@ -535,6 +549,8 @@ class _RigFile:
             for key, value in (limits | values).items():
                 require(f"line {self.line(key, 'limits')}: {key}", value, True, "a number")
             found["limits"] = Limits(float(limits["u_min"]), float(limits["u_max"]), **values)  # type: ignore[arg-type]
+        if "coupling" in self.data:
+            found["coupling"] = Coupling(**self.table("coupling", Coupling._fields, ()))
         return {key: value for key, value in found.items() if value is not None}
 
     def thrust_map(self) -> ThrustMap:

@@ -20,7 +20,7 @@ from heli_gym.baselines.identification.measured_model import (
     sensitivity_kernel,
 )
 from heli_gym.model import hover_input
-from heli_gym.parameters import HelicopterParameters
+from heli_gym.parameters import Coupling, HelicopterParameters
 from heli_gym.rig import Rig, find_rig
 from heli_gym.thrust_map import PowerCurve, ThrustMap
 
@@ -122,7 +122,7 @@ class Identification:
         return self.covariance / np.outer(spread, spread)
 
     def rig(self, name: str) -> Rig:
-        """Convert to a Rig for `heli_gym`: (3), thrust map, amplifier, lag and delay.
+        """Convert to a Rig for `heli_gym`: (3), thrust map, amplifier, lag, delay and coupling.
 
         Pitch is measured from `pitch_zero`, so that travel does not accelerate at zero pitch. The pitch trim becomes a
         difference of the rotors. The scale of the thrusts is that of the start rig, since flights determine only the
@@ -157,6 +157,7 @@ class Identification:
             sensor_signs=(1, 1, 1),
             sensor_zeros=(0.0, 0.0, float(p.pitch_zero)),
             limits=None,  # type: ignore[arg-type]
+            coupling=Coupling(p.centrifugal, p.centre, p.pitch_spin, p.gyro, p.pitch_speed),
             source=f"identified from {', '.join(self.logs)} (first {100.0 * self.fit_share:g} %)",
         )
 

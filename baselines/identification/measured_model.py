@@ -15,8 +15,7 @@ from heli_gym.baselines.paper.jacobian import STEP, dual_cos, dual_sin
 from heli_gym.compilation import jit_cached
 from heli_gym.model import dynamics, rk4_step
 from heli_gym.parameters import HelicopterParameters
-
-LEVER = 0.27  # ratio of a rotor's arms about the pitch and elevation axes, the same on all known rigs
+from heli_gym.plant import with_coupling
 
 
 class MeasuredParameters(NamedTuple):
@@ -55,25 +54,17 @@ NAMES = MeasuredParameters._fields
 def measured_dynamics(x: Any, f: Any, p: Any, offsets: Any) -> tuple:
     """Time derivative of the state x (6,) under the thrusts f (front, back) and accelerations `offsets` (3,) in rad/s².
 
-    Added to (3) are the centrifugal and Coriolis moments of arm and body, from `heli_gym.rigid_body`; the gyroscopic
-    moment of rotors with equal sense of rotation, with its reaction on the arm, so that it does no work; and the moment
-    of the airflow on pitch.
+    Added to (3) are the moments of `heli_gym.plant.with_coupling` and the pitch trim.
     """
     q1, dq1, q2, dq2, q3, dq3 = x
     tilt = q3 - p.pitch_zero
     table = HelicopterParameters(0.0, 0.0, p.a1, p.a2, p.a3, p.b1, p.b2, p.b3, p.c1, p.c2, p.c3)
-    _, ddq1, _, ddq2, _, ddq3 = dynamics(
-        (q1, dq1, q2, dq2, tilt, dq3), (f[0] + f[1], f[0] - f[1]), table, dual_sin, dual_cos
-    )
-    sine, cosine = dual_sin(tilt), dual_cos(tilt)
+    state = (q1, dq1, q2, dq2, tilt, dq3)
+    dx = dynamics(state, (f[0] + f[1], f[0] - f[1]), table, dual_sin, dual_cos)
     speed = dq1 if dq1.real > 0 else -dq1
-    reaction = p.gyro * LEVER * p.b2 / p.b3 * dq3  # gyroscopic moments do no work
-    up, along = dual_sin(q2 - p.centre), dual_cos(q2 - p.centre)
-    ddq1 = ddq1 + 2.0 * p.centrifugal * up / along * dq1 * dq2 + reaction * sine
-    ddq2 = ddq2 - p.centrifugal * up * along * dq1 * dq1 + reaction * cosine
-    ddq3 = ddq3 + p.pitch_trim + p.pitch_speed * speed * dq1
-    ddq3 = ddq3 - p.pitch_spin * sine * cosine * (dq1 * dq1 - dq2 * dq2) + p.gyro * (dq2 * cosine + dq1 * sine)
-    return dq1, ddq1 + offsets[0], dq2, ddq2 + offsets[1], dq3, ddq3 + offsets[2]
+    coupling = p.centrifugal, p.centre, p.pitch_spin, p.gyro, p.pitch_speed
+    _, ddq1, _, ddq2, _, ddq3 = with_coupling(state, dx, speed, table, coupling, dual_sin, dual_cos)
+    return dq1, ddq1 + offsets[0], dq2, ddq2 + offsets[1], dq3, ddq3 + p.pitch_trim + offsets[2]
 
 
 def dual_power(w: Any, exponent: Any) -> Any:

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from heli_gym.parameters import HelicopterParameters
+from heli_gym.parameters import Coupling, HelicopterParameters
 from heli_gym.plant import NO_TABLE, Plant, rotor_curves
 from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.thrust_map import PowerCurve, TableCurve
@@ -103,6 +103,7 @@ NOISE = quantity("noise", 1, lambda p: (p.sensors.noise if p.sensors else 0.0,))
 ZEROS = quantity("zeros", 3, lambda p: p.sensors.zeros if p.sensors else (0.0, 0.0, 0.0))  # rad
 RATE_FILTER = quantity("rate_filter", 1, lambda p: (p.sensors.rate_filter if p.sensors else 1.0,))  # s
 TRAVEL_LIFT = quantity("travel_lift", 1, lambda p: (p.travel_lift,))  # 1/rad
+COUPLING = quantity("coupling", len(Coupling._fields), lambda p: p.coupling)
 TABLE = quantity("table", 2, lambda p: (p.table.elevation, p.table.friction) if p.table else (NO_TABLE, 0.0))
 
 # Derived from the plant and the control period, once per flight.
@@ -198,6 +199,17 @@ def three(block: Any, row: int, i: int) -> tuple:
 def four(block: Any, row: int, i: int) -> tuple:
     """Values of this row and the next three for the helicopter i."""
     return block[row * ROW + i], block[(row + 1) * ROW + i], block[(row + 2) * ROW + i], block[(row + 3) * ROW + i]
+
+
+def five(block: Any, row: int, i: int) -> tuple:
+    """Values of this row and the next four for the helicopter i."""
+    return (
+        block[row * ROW + i],
+        block[(row + 1) * ROW + i],
+        block[(row + 2) * ROW + i],
+        block[(row + 3) * ROW + i],
+        block[(row + 4) * ROW + i],
+    )
 
 
 def six(block: Any, row: int, i: int) -> tuple:

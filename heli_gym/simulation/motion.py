@@ -6,7 +6,7 @@ from numpy import cos, sin
 
 from heli_gym.model import dynamics, rk4_step, thrust, virtual_input
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import with_contact, with_friction_and_disturbances, with_lift
+from heli_gym.plant import with_contact, with_coupling, with_friction_and_disturbances, with_lift
 from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
 from heli_gym.simulation.disturbances import step_gusts, sum_disturbances
 from heli_gym.simulation.layout import (
@@ -14,6 +14,7 @@ from heli_gym.simulation.layout import (
     AFTER,
     COMMAND,
     COULOMB,
+    COUPLING,
     DELAY_REST,
     EFFECT,
     LAG_DECAY,
@@ -33,6 +34,7 @@ from heli_gym.simulation.layout import (
     Settings,
     X,
     eleven,
+    five,
     put_six,
     put_two,
     six,
@@ -62,6 +64,7 @@ class GeneralBody(NamedTuple):
     torques: Any
     travel_lift: Any
     table: Any
+    coupling: Any
 
 
 # Right-hand sides; one of them is compiled into a simulation.
@@ -90,6 +93,12 @@ def general_equation_3(x: Any, v: Any, body: GeneralBody) -> tuple:
     """Equation (3) with all effects of a general plant."""
     dx = with_contact(x, equation_3_with_disturbances(x, v, body), body.parameters, body.table, sin, cos)
     return with_lift(dx, body.travel_lift)
+
+
+def coupled_equation_3(x: Any, v: Any, body: GeneralBody) -> tuple:
+    """Equation (3) with all effects of a general plant and the moments between its axes."""
+    speed = abs(x[1])
+    return with_coupling(x, general_equation_3(x, v, body), speed, body.parameters, body.coupling, sin, cos)
 
 
 def general_rigid_body(x: Any, v: Any, body: GeneralBody) -> tuple:
@@ -149,7 +158,8 @@ def integrate_general(block: Any, n: int) -> None:
         rig = RigidBodyParameters(*eleven(block, RIG, i))
         torques = (*three(block, TORQUES, i), block[A2_CHANGE * ROW + i])
         lift, table = block[TRAVEL_LIFT * ROW + i], two(block, TABLE, i)
-        body = GeneralBody(p, rig, three(block, VISCOUS, i), three(block, COULOMB, i), torques, lift, table)
+        own = three(block, VISCOUS, i), three(block, COULOMB, i)
+        body = GeneralBody(p, rig, *own, torques, lift, table, five(block, COUPLING, i))
 
         (effect_f, effect_b), (share_f, share_b) = two(block, EFFECT, i), two(block, SHARE, i)
         front, back = share_f * effect_f, share_b * effect_b

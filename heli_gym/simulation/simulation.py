@@ -11,7 +11,7 @@ import numpy as np
 from gymnasium.error import ResetNeeded
 
 from heli_gym import plant
-from heli_gym.parameters import HelicopterParameters
+from heli_gym.parameters import NO_COUPLING, HelicopterParameters
 from heli_gym.plant import (
     AXES,
     ROTORS,
@@ -148,7 +148,8 @@ def right_hand_side(plants: Sequence[Plant], is_general: bool) -> Callable:
     if rigid.pop():
         return motion.general_rigid_body if is_general else motion.rigid_body_with_disturbances
     if is_general:
-        return motion.general_equation_3
+        is_coupled = any(q.coupling != NO_COUPLING for p in plants for q in p.alternatives)
+        return motion.coupled_equation_3 if is_coupled else motion.general_equation_3
     return motion.equation_3 if all(p.is_plain for p in plants) else motion.equation_3_with_disturbances
 
 

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 from heli_gym.env import find_reference
 from heli_gym.model import dynamics, hover_input, thrust, virtual_input, voltage
-from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters
+from heli_gym.parameters import AMPLIFIER_LIMITS, Coupling, HelicopterParameters
 from heli_gym.plant import (
     COULOMB_RATE,
     FLEET_RANGES,
@@ -33,7 +33,7 @@ from heli_gym.plant import (
     Uniform,
     find_plant,
 )
-from heli_gym.rig import find_rig
+from heli_gym.rig import Rig, find_rig
 from heli_gym.rigid_body import rigid_dynamics, solve_rigid_body
 from heli_gym.simulation.layout import DISTURBANCES, GUST, MEASURED, MOTOR, ROTOR, ROW, X
 from heli_gym.simulation.simulation import Simulation
@@ -509,3 +509,50 @@ def test_every_parameter_that_may_be_a_range_is_drawn_and_flown():
 
 def test_a_copy_of_a_plant_is_the_plant_itself():
     assert copy.deepcopy({"plant": PLANTS["lab"]})["plant"] is PLANTS["lab"]
+
+
+def test_the_moments_between_the_axes_agree_with_an_adaptive_integrator():
+    c, p = Coupling(0.9, 0.08, 1.1, -1.3, 0.1), P._replace(c1=0.1)
+    plant, start, thrusts = Plant(p, coupling=c), (0.0, 1.2, 0.15, 0.2, 0.3, -0.4), thrust(np.array(HOVER), p)
+
+    def rhs(t, x):
+        dx = np.array(dynamics(x, virtual_input(thrusts), p))
+        _, w1, q2, w2, q3, w3 = x
+        up, along = np.sin(q2 - c.centre), np.cos(q2 - c.centre)
+        dx[1] += 2.0 * c.centrifugal * up / along * w1 * w2 + 0.27 * c.gyro * p.b2 / p.b3 * w3 * np.sin(q3)
+        dx[3] += -c.centrifugal * up * along * w1**2 + 0.27 * c.gyro * p.b2 / p.b3 * w3 * np.cos(q3)
+        dx[5] += c.airflow * abs(w1) * w1 - c.spin * np.sin(q3) * np.cos(q3) * (w1**2 - w2**2)
+        dx[5] += c.gyro * (w2 * np.cos(q3) + w1 * np.sin(q3))
+        return dx
+
+    x = solve_ivp(rhs, (0.0, 0.5), start, rtol=1e-10, atol=1e-12).y[:, -1]
+    assert_allclose(simulate(plant, HOVER, start, duration=0.5, dt=0.005).x[:, -1], x, atol=1e-6)
+
+
+def test_the_plant_of_a_rig_has_its_effects():
+    curves = ThrustMap(PowerCurve(0.03, -0.01, 1.7), PowerCurve(0.027, -0.01, 1.7))
+    coupling = Coupling(centrifugal=1.0, gyro=-1.2)
+    rig = Rig("own", P._replace(c1=0.1), curves, lag=0.11, delay=0.03, sensor_zeros=(0.0, 0.0, 0.1), coupling=coupling)
+    plant = Plant.from_rig(Rig.from_toml(rig.to_toml()))
+    assert plant.parameters == rig.parameters and plant.thrust_map == curves and plant.coupling == coupling
+    assert (plant.rotors.lag, plant.rotors.delay) == (0.11, 0.03)
+    assert plant.sensors.zeros[2] == -0.1  # where the sensor reads zero, not what it reads at zero
+    assert plant.table == Table(rig.table_elevation)
+    assert Plant.from_rig("paper", sensors=None, table=None, rotors=Rotors()) == Plant()
+    assert Plant.from_rig(rig, table=None).table is None
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: Plant(coupling=(1.0,)), "coupling = "),
+        (lambda: Plant(coupling=Coupling(gyro=math.nan)), "coupling.gyro"),
+        (lambda: Plant(coupling=Coupling(centre=1.0)), "coupling.centre"),
+        (lambda: Plant(rig=solve_rigid_body("A"), coupling=Coupling(gyro=1.0)), "must be left out with a rigid body"),
+        (lambda: Rig("own", coupling=Coupling(spin=math.inf)), "coupling.spin"),
+        (lambda: Plant.from_rig("nowhere"), "rig = 'nowhere'"),
+    ],
+)
+def test_bad_coupling_is_refused(make, message):
+    with pytest.raises(ValueError, match=message):
+        make()
