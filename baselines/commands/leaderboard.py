@@ -27,7 +27,7 @@ from rich.table import Table
 
 from heli_gym.baselines.control.policies import POLICIES
 from heli_gym.baselines.control.weights import WEIGHTS
-from heli_gym.baselines.evaluation.conditions import OUTSIDE, describe_draw, find_condition
+from heli_gym.baselines.evaluation.conditions import OUTSIDE, describe_draw, find_condition, rig_of
 from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.baselines.evaluation.leaderboard import (
     Batch,
@@ -49,6 +49,7 @@ from heli_gym.baselines.evaluation.rollout import fly
 from heli_gym.cli import command, parse
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED, PLANTS
+from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
@@ -87,6 +88,7 @@ class Args:
     plants: tuple[str, ...] = tuple(PLANTS)
     outside: bool = True  # also fly each plant with disturbances outside the design family
     references: tuple[str, ...] = ("travel-360",)  # maneuvers: packaged references, or .npz files
+    rig: str | None = None  # nominal rig, a name or a .toml file; by default each plant's own
     episodes: int = 1000  # number of draws of each plant
     seed: int = HELD_OUT_SEED  # seed of the first draw, then counting up
     against: str = "feedforward+tvlqr@PLANT"  # policy to compare the others with, if it flies
@@ -117,8 +119,15 @@ def check(args: Args) -> tuple[list[Condition], Settings]:
     ]
     for plant in plants:
         find_condition(plant)
+    if args.rig is not None:  # a plant that is a family of rigs, and flies no other
+        find_rig(args.rig)
+        plants = [plant for plant in plants if rig_of(plant) in ("paper", args.rig)]
+        if not plants:
+            raise ValueError(f"plants = {args.plants}: must name one that flies the rig {args.rig!r}, like 'lab'")
     conditions = [Condition(plant, reference) for reference in args.references for plant in dict.fromkeys(plants)]
-    settings = Settings(args.seed, args.episodes, args.batch, args.control_period, args.start_spread_deg)
+    settings = Settings(
+        args.seed, args.episodes, args.batch, args.control_period, args.start_spread_deg, args.rig or ""
+    )
     for condition in conditions:
         Heli3DOFEnv(**env_settings(condition, settings))
     check_folder("out", args.out)
@@ -134,12 +143,15 @@ def check_begun(args: Args, settings: Settings) -> None:
         raise ValueError(f"out: {args.out} holds a leaderboard already; --resume goes on with it")
     try:
         begun = json.loads(path.read_text())
-        earlier = {name: begun[name] for name in Settings._fields}
+        earlier = {name: begun[name] for name in Settings._fields if name not in Settings._field_defaults}
     except (ValueError, KeyError, TypeError) as error:
         raise ValueError(f"out: {path} must hold the settings of a leaderboard: {error}") from error
+    earlier = Settings._field_defaults | earlier | {"rig": begun.get("rig", "")}
     for name, value in settings._asdict().items():
         if earlier[name] != value and name != "episodes":
             raise ValueError(f"{name} = {value!r}: the leaderboard in {args.out} was begun with {earlier[name]!r}")
+    if settings.rig and begun.get("rig_toml") != find_rig(settings.rig).to_toml():
+        raise ValueError(f"rig = {settings.rig!r}: has changed since the leaderboard in {args.out} was begun")
 
 
 def main(args: Args | None = None) -> None:
@@ -158,7 +170,8 @@ def run(args: Args) -> None:
         console.print(reason)
     ledger = Ledger(args.out)
     try:
-        write_json(args.out / SETTINGS, {**settings._asdict(), "version": version("heli-gym")})
+        own = {"rig_toml": find_rig(settings.rig).to_toml()} if settings.rig else {}
+        write_json(args.out / SETTINGS, {**settings._asdict(), **own, "version": version("heli-gym")})
         missing = ledger.keep_whole(wanted)
         try:
             fly_missing(wanted, missing, settings, ledger, args.workers, console)
@@ -220,7 +233,7 @@ def summarise(
     for condition in conditions:
         own = [row for row in rows if (row["plant"], row["reference"]) == condition]
         flown = {row["policy"] for row in own}
-        tuned = policy_on(args.against, condition.plant)
+        tuned = policy_on(args.against, condition.plant, settings.rig)
         against = tuned if tuned in flown else tuned.partition("@")[0]
         entries = standings(own, against)
         for entry in entries:
@@ -280,6 +293,7 @@ def note(settings: Settings) -> str:
     return (
         f"heli-gym {version('heli-gym')}; seeds from {settings.seed} on; starts up to {settings.start_spread_deg:g}° "
         f"off; control period {1e3 * settings.control_period:g} ms; times on {platform.machine()}."
+        + (f" Rig: {find_rig(settings.rig).name}." if settings.rig else "")
     )
 
 
@@ -332,6 +346,7 @@ def page(tables: Sequence[dict[str, Any]], settings: Settings, pages: bool) -> s
                     f"heli-evaluate --policies {entry['policy']} --plant {table['plant']} --episodes 1 --no-figures "
                     f"--reference {table['reference']} --seed {entry[f'{name}_seed']} --report flight.html"
                 )
+                order += f" --rig {settings.rig}" if settings.rig else ""
                 parts.append(f"<li>{name} of {escape(entry['label'])}: <code>{escape(order)}</code></li>")
         parts.append("</ul></details>")
     return "".join((*parts, "</body></html>\n"))

@@ -24,7 +24,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from heli_gym.baselines.control.policies import is_learned
-from heli_gym.baselines.control.weights import TUNED, WEIGHTS
+from heli_gym.baselines.control.weights import WEIGHTS, weights_file
 from heli_gym.baselines.evaluation.agents import make_pilot
 from heli_gym.baselines.evaluation.conditions import OUTSIDE, find_condition, rig_of
 from heli_gym.baselines.evaluation.labels import label_of
@@ -38,6 +38,7 @@ from heli_gym.baselines.evaluation.statistics import (
     ranks,
 )
 from heli_gym.env import Heli3DOFEnv, reference_for
+from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, try_lock
 from heli_gym.trajectory import Trajectory
 
@@ -73,15 +74,16 @@ class Settings(NamedTuple):
     batch: int
     control_period: float
     start_spread_deg: float
+    rig: str = ""  # name or .toml file of the nominal rig; by default each plant's own
 
 
-def policy_on(name: str, plant: str) -> str:
-    """Policy name with @PLANT replaced by the plant, or removed if no weights are stored for it."""
+def policy_on(name: str, plant: str, rig: str = "") -> str:
+    """Policy name with @PLANT replaced by the plant, or removed if no weights are stored for it on the rig."""
     kind, _, _ = name.partition("@PLANT")
     if kind == name:
         return name
     plant = plant.removesuffix(OUTSIDE)
-    path = TUNED / f"{plant}.json"
+    path = weights_file(plant, find_rig(rig or "paper"))
     stored = kind in WEIGHTS and path.is_file() and kind in json.loads(path.read_text())
     return f"{kind}@{plant}" if stored else kind
 
@@ -91,7 +93,7 @@ def batches(policies: Sequence[str], conditions: Sequence[Condition], settings: 
     pairs = [
         (name, condition)
         for condition in conditions
-        for name in dict.fromkeys(policy_on(policy, condition.plant) for policy in policies)
+        for name in dict.fromkeys(policy_on(policy, condition.plant, settings.rig) for policy in policies)
     ]
     return [
         Batch(*pair, settings.seed + first, min(settings.batch, settings.episodes - first))
@@ -104,9 +106,9 @@ def batches(policies: Sequence[str], conditions: Sequence[Condition], settings: 
 
 
 @lru_cache(maxsize=64)
-def pilot_for(policy: str, condition: Condition, control_period: float) -> Any:
+def pilot_for(policy: str, condition: Condition, control_period: float, rig: str = "") -> Any:
     """Pilot for a policy and a condition, made once in each process."""
-    settings = Settings(0, 1, 1, control_period, 0.0)
+    settings = Settings(0, 1, 1, control_period, 0.0, rig)
     env = Heli3DOFEnv(**env_settings(condition, settings))
     return make_pilot(policy, env.reference, control_period, env.voltage_limits)
 
@@ -119,10 +121,11 @@ def reference_on(reference: str, rig: str) -> Trajectory:
 
 def env_settings(condition: Condition, settings: Settings) -> dict[str, Any]:
     """Arguments of the environment for a condition."""
+    rig = settings.rig or rig_of(condition.plant)
     return {
         "plant": find_condition(condition.plant),
-        "reference": reference_on(condition.reference, rig_of(condition.plant)),
-        "rig": rig_of(condition.plant),
+        "reference": reference_on(condition.reference, rig),
+        "rig": rig,
         "control_period": settings.control_period,
         "start_spread_deg": settings.start_spread_deg,
     }
@@ -130,7 +133,7 @@ def env_settings(condition: Condition, settings: Settings) -> dict[str, Any]:
 
 def fly_batch(batch: Batch, settings: Settings) -> list[dict[str, Any]]:
     """Fly a batch and return its rows."""
-    pilot = pilot_for(batch.policy, batch.condition, settings.control_period)
+    pilot = pilot_for(batch.policy, batch.condition, settings.control_period, settings.rig)
     rows = score_episodes(pilot, env_settings(batch.condition, settings), batch.seed, batch.episodes)
     names = {"policy": batch.policy, **batch.condition._asdict()}
     return [{**names, **row, "within_limits": row["cost"] < 1e-9} for row in rows]
@@ -138,7 +141,7 @@ def fly_batch(batch: Batch, settings: Settings) -> list[dict[str, Any]]:
 
 def microseconds_per_step(policy: str, condition: Condition, settings: Settings) -> float:
     """Median time in µs of a policy's step for one helicopter on this machine."""
-    pilot = pilot_for(policy, condition, settings.control_period)
+    pilot = pilot_for(policy, condition, settings.control_period, settings.rig)
     env = Heli3DOFEnv(**env_settings(condition, settings))
     observation, info = env.reset(seed=0)
     pilot.reset(np.random.default_rng(0))
@@ -361,9 +364,9 @@ def flyable(wanted: Sequence[Batch], settings: Settings) -> tuple[list[Batch], l
         if is_learned(policy) and settings.control_period != 0.02:
             raise ValueError(f"policies: {policy!r} was trained for 0.02 s, not {settings.control_period:g} s")
         try:
-            pilot_for(policy, condition, settings.control_period)
+            pilot_for(policy, condition, settings.control_period, settings.rig)
         except ValueError as error:
-            if rig_of(condition.plant) == "paper" or not is_learned(policy):
+            if (settings.rig or rig_of(condition.plant)) == "paper" or not is_learned(policy):
                 raise
             refused[policy, condition] = f"{policy} is left out on {condition.plant}: {error}"
     return [batch for batch in wanted if (batch.policy, batch.condition) not in refused], list(refused.values())

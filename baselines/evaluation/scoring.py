@@ -15,6 +15,7 @@ from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.evaluation.statistics import mean_with_interval, rank_crashes_last
 from heli_gym.env import Heli3DOFEnv, find_reference, reference_for
 from heli_gym.plant import HELD_OUT_SEED, Plant
+from heli_gym.rig import Rig
 from heli_gym.storage import atomic_write
 from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import Heli3DOFVectorEnv
@@ -100,6 +101,7 @@ def evaluate(
     seed: int = HELD_OUT_SEED,
     start_spread_deg: float = 5.0,
     control_period: float = 0.02,
+    rig: str | Rig | None = None,
 ) -> FlightTable:
     """Fly a policy in many episodes and score each flight.
 
@@ -111,15 +113,17 @@ def evaluate(
         seed: of the first episode, then counting up. Training and tuning never use the draws of the default.
         start_spread_deg: greatest deviation of each angle at the start.
         control_period: s.
+        rig: nominal rig, as `find_rig` takes it; by default that of the trajectory, or of the plant.
 
     Raises:
-        ValueError: for invalid arguments, and policies that do not fit them.
+        ValueError: for invalid arguments, and policies or trajectories that do not fit them.
     """
     if not isinstance(episodes, int) or episodes < 1:
         raise ValueError(f"episodes = {episodes!r}: must be a whole number, at least 1")
     if not isinstance(seed, int) or seed < 0:
         raise ValueError(f"seed = {seed!r}: must be a whole number, at least 0")
-    rig = rig_of(plant) if isinstance(reference, str) else find_reference(reference).rig
+    if rig is None:
+        rig = rig_of(plant) if isinstance(reference, str) else find_reference(reference).rig
     settings: dict[str, Any] = {
         "plant": find_condition(plant),
         "reference": reference_for(reference, rig),

@@ -22,6 +22,7 @@ from heli_gym.baselines.evaluation.labels import LABELS, colours_of, label_of
 from heli_gym.baselines.evaluation.leaderboard import Condition, Ledger, Settings, batches, fly_all, standings
 from heli_gym.baselines.evaluation.statistics import interquartile_mean
 from heli_gym.plant import PLANTS, RotorFault
+from heli_gym.rig import find_rig
 
 SETTINGS = Settings(seed=5, episodes=6, batch=2, control_period=0.02, start_spread_deg=5.0)
 CONDITION = Condition("lab", "climb-7.5")
@@ -327,3 +328,24 @@ def test_outside_the_family_friction_is_added_to_the_plants_own():
         for own, more, added in zip(inside, outside, COULOMB):
             own_high = getattr(own, "high", own)
             assert more.high == pytest.approx(own_high + added.high)
+
+
+def test_another_rig_flies_its_own_reference_leaves_networks_and_the_fleet_out_and_is_part_of_the_folder(
+    tmp_path, capsys
+):
+    path = tmp_path / "mine.toml"
+    find_rig("ntnu").save(path)
+    small = {**SMALL, "policies": ("feedforward+tvlqr@PLANT", "residual"), "episodes": 2, "outside": False}
+    small |= {"plants": ("lab", "fleet"), "rig": str(path), "out": tmp_path / "out", "pages": False}
+    command.main(Args(**small))
+    assert "residual is left out on lab" in capsys.readouterr().out
+    rows = read(tmp_path / "out")
+    assert {(row["policy"], row["plant"]) for row in rows} == {("feedforward+tvlqr", "lab")}
+    alone = evaluate("feedforward+tvlqr", "lab", 2, "climb-7.5", seed=5, rig="ntnu")
+    np.testing.assert_allclose([float(row["rms_error_deg"]) for row in rows], alone.column("rms_error_deg"), rtol=1e-6)
+    with pytest.raises(SystemExit, match="rig = ''"):
+        command.main(Args(**{**small, "rig": None, "resume": True, "plants": ("lab",)}))
+    find_rig("quanser").save(path)
+    leaderboard.reference_on.cache_clear()  # another process would read the file anew
+    with pytest.raises(SystemExit, match="has changed since"):
+        command.main(Args(**small, resume=True))
