@@ -18,7 +18,7 @@ from heli_gym.baselines.evaluation import log_figures
 from heli_gym.baselines.evaluation.figures import DPI
 from heli_gym.baselines.identification.estimation import EFFECTS, Identification, identify
 from heli_gym.baselines.identification.experiment import LONGEST, design
-from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog
+from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog, find_log
 from heli_gym.baselines.identification.prediction import (
     FilteredLog,
     Validation,
@@ -39,7 +39,7 @@ STRONG = 0.9  # least correlation to print
 class Args:
     """Identify a rig from logs of its flights, and print the prediction errors on the parts that were not fitted."""
 
-    logs: Annotated[tuple[Path, ...], tyro.conf.Positional] = ()  # .csv or .mat logs of one rig
+    logs: Annotated[tuple[Path, ...], tyro.conf.Positional] = ()  # .csv or .mat logs of one rig, or `simulated`
     rig: str = "paper"  # name or .toml of a rig: scale of the thrusts, sensors, amplifier
     fit_share: float = 0.6  # share of each log, from its start, to fit; the rest is predicted
     mapping: Path | None = None  # .toml or .json with the tables columns, signs, units and zeros
@@ -162,7 +162,7 @@ def run(args: Args) -> None:
         if not args.quiet:
             print(f"{time.perf_counter() - began:6.1f} s  {text}", file=sys.stderr, flush=True)
 
-    logs = [FlightLog.load(path, mapping=args.mapping, sample_time=args.sample_time) for path in args.logs]
+    logs = [find_log(path, mapping=args.mapping, sample_time=args.sample_time) for path in args.logs]
     model = identify(logs, args.rig, args.fit_share, progress=progress)
     progress("settings of the filter")
     settings = tune(logs, model)

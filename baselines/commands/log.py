@@ -1,6 +1,7 @@
 """`heli-log`: draw a measured flight, alone or with its plan."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
@@ -10,8 +11,10 @@ import tyro
 
 from heli_gym.baselines.evaluation import log_figures
 from heli_gym.baselines.evaluation.figures import DPI
-from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog
+from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog, find_log
+from heli_gym.baselines.identification.replay import PIECE, Replay, replay
 from heli_gym.cli import command, parse
+from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.trajectory import Trajectory
 
@@ -20,8 +23,10 @@ from heli_gym.trajectory import Trajectory
 class Args:
     """Draw a measured flight: angles with references, rates, voltages, airborne and saturated parts."""
 
-    log: Annotated[Path, tyro.conf.Positional]  # .csv or .mat log
+    log: Annotated[Path, tyro.conf.Positional]  # .csv or .mat log, or the packaged `simulated`
     plan: Path | None = None  # .npz file of the flown plan
+    rig: str | None = None  # name or .toml of a rig: its plant flies the logged voltages in a second picture
+    piece: float = PIECE  # s, length of the pieces of that flight
     mapping: Path | None = None  # .toml or .json with the tables columns, signs, units and zeros
     sample_time: float | None = None  # s; by default 0.01, or the log's own if that is longer
     u_min: float = -24.0  # V, lower limit of the amplifier
@@ -41,6 +46,17 @@ def describe(log: FlightLog) -> str:
     )
 
 
+def describe_replay(log: FlightLog, pieces: Sequence[Replay]) -> str:
+    """Text with the RMS differences between log and plant, after 1 s and at the ends of the pieces."""
+    n = round(1.0 / log.sample_time)
+    lines = []
+    for when, at in (("after 1 s", n), ("at the end of each piece", -1)):
+        ends = [log.angles[:, round(p.t[at] / log.sample_time)] - p.angles[:, at] for p in pieces]
+        values = np.degrees(np.sqrt(np.mean(np.square(ends), axis=0)))
+        lines.append(f"{when}, " + ", ".join(f"{name} {value:.2f}°" for name, value in zip(ANGLES, values)))
+    return f"replay in {len(pieces)} pieces, RMS difference: {'; '.join(lines)}"
+
+
 def run(args: Args) -> None:
     """Load the log, draw and save the figure."""
     out = args.out or Path("out") / f"{args.log.stem}.png"
@@ -49,13 +65,23 @@ def run(args: Args) -> None:
     if not (math.isfinite(args.u_min) and math.isfinite(args.u_max) and args.u_min < args.u_max):
         raise ValueError(f"u_min = {args.u_min:g}, u_max = {args.u_max:g}: must be finite, the first the smaller")
     check_folder("out", out.parent)
-    log = FlightLog.load(args.log, mapping=args.mapping, sample_time=args.sample_time)
+    log = find_log(args.log, mapping=args.mapping, sample_time=args.sample_time)
+    flown = None
+    if args.rig is not None:
+        rig = find_rig(args.rig)
+        flown = replay(log, rig, piece=args.piece)
     plan = None if args.plan is None else Trajectory.load(args.plan)
     figure = log_figures.flight_log(log, plan, (args.u_min, args.u_max))
     with atomic_write(out) as file:
         figure.savefig(file, format=out.suffix[1:], dpi=DPI)
     print(describe(log))
     print(f"picture: {out}")
+    if flown is not None:
+        second = out.with_name(f"{out.stem}-replay{out.suffix}")
+        with atomic_write(second) as file:
+            log_figures.replayed(log, flown, rig.name).savefig(file, format=out.suffix[1:], dpi=DPI)
+        print(describe_replay(log, flown))
+        print(f"picture: {second}")
 
 
 def main(args: Args | None = None) -> None:

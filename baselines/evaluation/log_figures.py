@@ -1,6 +1,6 @@
 """Figures of measured flights."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from heli_gym.baselines.evaluation.figures import BLUE, INK, LIMIT, NOTE, RED, columns_of_panels, finish, note, styled
 from heli_gym.baselines.identification.flight_log import ANGLES, VOLTAGES, FlightLog
 from heli_gym.baselines.identification.prediction import FilteredLog, constant_rate, horizon_starts
+from heli_gym.baselines.identification.replay import FIT_TIME, Replay
 from heli_gym.trajectory import Trajectory
 
 ON_TABLE = {"color": "0.5", "alpha": 0.25, "linewidth": 0.0}
@@ -54,6 +55,36 @@ def flight_log(log: FlightLog, plan: Trajectory | None = None, limits: tuple[flo
         note(axes, f"{100.0 * saturated.mean():.1f} % at the amplifier's limits, {limits[0]:g} and {limits[1]:g} V")
     note(panels[1, 0], f"{100.0 * (~on_table).mean():.1f} % airborne; grey: on the table or just off it")
     figure.suptitle(f"{log.name}: {log.duration:.2f} s, {1e3 * log.sample_time:g} ms", parse_math=False)
+    finish(figure)
+    return figure
+
+
+@styled
+def replayed(log: FlightLog, pieces: Sequence[Replay], plant: str) -> Figure:
+    """Measured angles, those of a plant under the logged voltages, in pieces, and their differences."""
+    figure = Figure(figsize=(11.0, 7.6))
+    panels = columns_of_panels(figure, 4, 2)
+    for axis, name in enumerate(ANGLES):
+        left, right = panels[axis]
+        left.plot(log.t, np.degrees(log.angles[axis]), color=INK, linewidth=1.0, label="measured")
+        for i, (t, angles) in enumerate(pieces):
+            k = round(t[0] / log.sample_time)
+            error = np.degrees(log.angles[axis, k : k + len(t)] - angles[axis])
+            left.plot(t, np.degrees(angles[axis]), color=BLUE, label=None if i else plant)
+            right.plot(t, error, color=BLUE)
+            for axes in (left, right):
+                axes.axvline(t[0], color="0.8", linewidth=0.6)
+        left.set_ylabel(f"{name} $q_{axis + 1}$ (deg)")
+        right.set_ylabel("difference (deg)")
+    for i, name in enumerate(VOLTAGES):
+        panels[3, i].plot(log.t, log.voltages[i], color=INK, drawstyle="steps-post", linewidth=0.9)
+        panels[3, i].set_ylabel(f"{name[2:]} motor (V)")
+    for axes in panels.ravel():
+        for first, last in runs(~log.airborne()):
+            axes.axvspan(log.t[first], log.t[last], **ON_TABLE)
+        axes.set_xlim(0.0, log.duration)
+    note(panels[0, 1], f"each piece starts in the state that fits its first {FIT_TIME:g} s")
+    figure.suptitle(f"{log.name}: the logged voltages, flown by {plant}", parse_math=False)
     finish(figure)
     return figure
 

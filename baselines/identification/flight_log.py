@@ -22,6 +22,7 @@ SUM_AND_DIFFERENCE = ("u_sum", "u_difference")  # alternative names, for sum and
 REFERENCES = ("travel_ref", "elevation_ref", "pitch_ref")
 TIME_NAMES = ("t", "time", "Time", "tout")
 UNITS = {"rad": 1.0, "deg": math.pi / 180.0, "V": 1.0, "mV": 1e-3, "s": 1.0, "ms": 1e-3, "us": 1e-6}
+LOGS = Path(__file__).parent / "logs"  # simulated
 SAMPLE_TIME = 0.01  # s, grid of logs with shorter steps
 LONGEST_GAP = 0.25  # s, longest gap to interpolate
 RATE_WINDOW = 0.21  # s, window of the polynomials for rates
@@ -188,6 +189,17 @@ class FlightLog:
                 raise ValueError(missing_column(path, name, held))
         t, angles, voltages, references = on_even_grid(values, sample_time, path)
         return cls(t, angles, voltages, references, path.stem)
+
+
+def find_log(path: str | os.PathLike, **arguments: Any) -> FlightLog:
+    """Load a log by its path, or one of the package by its name; the arguments are those of `FlightLog.load`."""
+    path = Path(path)
+    packaged = LOGS / f"{path}.csv"
+    is_name = path.name == str(path) and not path.suffix and not path.exists()
+    if is_name and not packaged.is_file():
+        names = ", ".join(repr(known.stem) for known in sorted(LOGS.glob("*.csv")))
+        raise ValueError(f"log = {str(path)!r}: must be the path of a .csv or .mat file, or one of {names}")
+    return FlightLog.load(packaged if is_name else path, **arguments)
 
 
 def is_wanted(held: Mapping[str, np.ndarray], name: str, columns: Mapping[str, str]) -> bool:
