@@ -70,7 +70,7 @@ $(VENV)/eval: pyproject.toml | $(VENV)/bin/python
 	touch $@
 
 $(VENV)/dev: pyproject.toml | $(VENV)/bin/python
-	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[dev,train]'
+	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[dev,train,sweep]'
 	touch $@ $(VENV)/eval
 
 $(VENV)/docs: pyproject.toml | $(VENV)/bin/python

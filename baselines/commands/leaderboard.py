@@ -22,12 +22,12 @@ from typing import Annotated, Any
 
 import tyro
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 from rich.table import Table
 
 from heli_gym.baselines.control.policies import POLICIES
 from heli_gym.baselines.control.weights import WEIGHTS
 from heli_gym.baselines.evaluation.conditions import OUTSIDE, describe_draw, find_condition, rig_of
+from heli_gym.baselines.evaluation.engine import Engine, EngineName, check_engine, open_engine, progress_bar
 from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.baselines.evaluation.leaderboard import (
     Batch,
@@ -94,6 +94,8 @@ class Args:
     against: str = "feedforward+tvlqr@PLANT"  # policy to compare the others with, if it flies
     start_spread_deg: float = 5.0  # greatest deviation of each angle at the start
     control_period: float = 0.02  # s
+    engine: EngineName = "local"  # processes of this machine, or Ray
+    address: str | None = None  # Ray cluster, HOST:PORT or auto; by default one is started on this machine
     workers: int = 2  # number of processes
     batch: int = 100  # episodes that a process flies at once
     out: Path = Path("out/leaderboard")
@@ -103,11 +105,10 @@ class Args:
 
 def check(args: Args) -> tuple[list[Condition], Settings]:
     """Conditions and settings. Raises ValueError for invalid arguments, OSError for the folder."""
-    for name, least in (("episodes", 2), ("seed", 0), ("workers", 1), ("batch", 1)):
+    for name, least in (("episodes", 2), ("seed", 0), ("batch", 1)):
         if getattr(args, name) < least:
             raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least}")
-    if args.workers > 256:
-        raise ValueError(f"workers = {args.workers}: must be at most 256")
+    check_engine(args.engine, args.workers, args.address)
     for name in ("policies", "plants", "references"):
         values = getattr(args, name)
         if not values or len(set(values)) < len(values):
@@ -174,7 +175,9 @@ def run(args: Args) -> None:
         write_json(args.out / SETTINGS, {**settings._asdict(), **own, "version": version("heli-gym")})
         missing = ledger.keep_whole(wanted)
         try:
-            fly_missing(wanted, missing, settings, ledger, args.workers, console)
+            if missing:
+                with open_engine(args.engine, args.workers, args.address, finish=True) as engine:
+                    fly_missing(wanted, missing, settings, ledger, engine, console)
         except KeyboardInterrupt:
             rows = ledger.rows(wanted)
             if rows:
@@ -207,21 +210,14 @@ def fly_missing(
     missing: Sequence[Batch],
     settings: Settings,
     ledger: Ledger,
-    workers: int,
+    engine: Engine,
     console: Console,
 ) -> None:
     """Fly the missing batches, with a progress bar."""
     total, left = (sum(batch.episodes for batch in part) for part in (wanted, missing))
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=console) as progress:
+    with progress_bar(console) as progress:
         bar = progress.add_task("flying", total=total, completed=total - left)
-        for batch in fly_all(missing, settings, ledger, workers):
+        for batch in fly_all(missing, settings, ledger, engine):
             progress.update(bar, advance=batch.episodes, description=f"{batch.policy} on {batch.condition.plant}")
 
 

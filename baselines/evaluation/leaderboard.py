@@ -7,17 +7,12 @@ only the incomplete batches are flown again, and no flight counts twice.
 import contextlib
 import hashlib
 import json
-import multiprocessing
 import os
 import re
-import signal
 import sys
-import threading
 import time
 from collections.abc import Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -27,6 +22,7 @@ from heli_gym.baselines.control.policies import is_learned
 from heli_gym.baselines.control.weights import WEIGHTS, weights_file
 from heli_gym.baselines.evaluation.agents import make_pilot
 from heli_gym.baselines.evaluation.conditions import OUTSIDE, find_condition, rig_of
+from heli_gym.baselines.evaluation.engine import Engine
 from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.baselines.evaluation.scoring import FlightTable, score_episodes
 from heli_gym.baselines.evaluation.statistics import (
@@ -42,7 +38,6 @@ from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, try_lock
 from heli_gym.trajectory import Trajectory
 
-RETRIES = 3  # new pools after a process was killed
 TIMED_STEPS = 100
 SHOWN = ("rms_error_deg", "rms_travel_deg", "rms_elevation_deg", "cost")
 
@@ -159,19 +154,6 @@ def microseconds_per_step(policy: str, condition: Condition, settings: Settings)
     return 1e6 * float(np.median(seconds))
 
 
-def init_worker() -> None:
-    """Set up a worker: ignore Ctrl-C, which the parent handles, and end with the parent."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-
-        def follow_parent() -> None:
-            parent.join()
-            os._exit(1)
-
-        threading.Thread(target=follow_parent, daemon=True).start()
-
-
 # The folder
 
 
@@ -252,43 +234,11 @@ def line_of(row: dict[str, Any]) -> bytes:
 # All
 
 
-def fly_all(missing: Sequence[Batch], settings: Settings, ledger: Ledger, workers: int) -> Iterator[Batch]:
-    """Fly and store batches, and yield each batch once its rows are stored.
-
-    An interrupt lets running batches finish and stores them. Raises RuntimeError if workers are killed repeatedly.
-    """
-    if workers == 1:
-        for batch in missing:
-            ledger.append(batch, fly_batch(batch, settings))
-            yield batch
-        return
-    waiting, failures = list(missing), 0
-    while waiting:
-        pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), init_worker)
-        running: dict[Future, Batch] = {}
-        try:
-            while waiting or running:
-                while waiting and len(running) < 2 * workers:
-                    batch = waiting.pop(0)
-                    running[pool.submit(fly_batch, batch, settings)] = batch
-                done, _ = wait(running, return_when=FIRST_COMPLETED)
-                for future in done:
-                    rows = future.result()
-                    ledger.append(running[future], rows)
-                    yield running.pop(future)
-        except BrokenProcessPool as error:  # after a kill, all running batches are flown again
-            failures += 1
-            if failures > RETRIES:
-                raise RuntimeError("processes keep dying; --resume goes on") from error
-            waiting = [*running.values(), *waiting]
-        except KeyboardInterrupt:
-            pool.shutdown(wait=True, cancel_futures=True)
-            for future, batch in running.items():
-                if future.done() and not future.cancelled() and future.exception() is None:
-                    ledger.append(batch, future.result())
-            raise
-        finally:
-            pool.shutdown(wait=True, cancel_futures=True)
+def fly_all(missing: Sequence[Batch], settings: Settings, ledger: Ledger, engine: Engine) -> Iterator[Batch]:
+    """Fly and store batches, and yield each batch once its rows are stored."""
+    for index, rows in engine.results(partial(fly_batch, settings=settings), missing):
+        ledger.append(missing[index], rows)
+        yield missing[index]
 
 
 def write_tables(folder: Path, rows: list[dict[str, Any]]) -> list[Path]:

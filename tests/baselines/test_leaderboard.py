@@ -18,6 +18,7 @@ from heli_gym.baselines.commands import leaderboard as command
 from heli_gym.baselines.commands.leaderboard import Args
 from heli_gym.baselines.evaluation import leaderboard
 from heli_gym.baselines.evaluation.conditions import COULOMB, find_condition
+from heli_gym.baselines.evaluation.engine import open_engine
 from heli_gym.baselines.evaluation.labels import LABELS, colours_of, label_of
 from heli_gym.baselines.evaluation.leaderboard import Condition, Ledger, Settings, batches, fly_all, standings
 from heli_gym.baselines.evaluation.statistics import interquartile_mean
@@ -132,9 +133,10 @@ def fly_into(folder, workers=1, stop_after=None):
     wanted = batches(("lqi", "zero"), [CONDITION], SETTINGS)
     ledger = Ledger(folder)
     try:
-        for n, _ in enumerate(fly_all(ledger.keep_whole(wanted), SETTINGS, ledger, workers)):
-            if stop_after is not None and n + 1 == stop_after:
-                break
+        with open_engine("local", workers) as engine:
+            for n, _ in enumerate(fly_all(ledger.keep_whole(wanted), SETTINGS, ledger, engine)):
+                if stop_after is not None and n + 1 == stop_after:
+                    break
         return ledger.rows(wanted)
     finally:
         ledger.close()
@@ -207,13 +209,14 @@ def test_a_killed_process_costs_its_batch_and_no_row(tmp_path):
     wanted = batches(("lqi", "zero"), [CONDITION], SETTINGS)
     ledger = Ledger(tmp_path / "killed")
     killed = False
-    for _ in fly_all(ledger.keep_whole(wanted), SETTINGS, ledger, 2):
-        if not killed:
-            children = subprocess.run(
-                ["pgrep", "-P", str(os.getpid()), "-f", "spawn_main"], capture_output=True, text=True
-            ).stdout.split()
-            os.kill(int(children[0]), signal.SIGKILL)
-            killed = True
+    with open_engine("local", 2) as engine:
+        for _ in fly_all(ledger.keep_whole(wanted), SETTINGS, ledger, engine):
+            if not killed:
+                children = subprocess.run(
+                    ["pgrep", "-P", str(os.getpid()), "-f", "spawn_main"], capture_output=True, text=True
+                ).stdout.split()
+                os.kill(int(children[0]), signal.SIGKILL)
+                killed = True
     rows = ledger.rows(wanted)
     ledger.close()
     assert rows == whole
