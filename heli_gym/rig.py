@@ -415,6 +415,11 @@ def rig_names() -> list[str]:
     return sorted(path.stem for path in RIGS.glob("*.toml"))
 
 
+def fleet_rig_names() -> list[str]:
+    """Names of the rigs that were identified from measured flights, such as "fleet/ntnu-f"."""
+    return sorted(f"fleet/{path.stem}" for path in RIGS.glob("fleet/*.toml"))
+
+
 def find_rig(rig: "str | os.PathLike | Rig") -> Rig:
     """Return a rig by the name of a packaged one, by the path of a .toml file, or the rig itself.
 
@@ -425,8 +430,8 @@ def find_rig(rig: "str | os.PathLike | Rig") -> Rig:
     if not isinstance(rig, str | os.PathLike):
         raise ValueError(f"rig = {rig!r}: must be a Rig, a name or the path of a .toml file")
     is_path = str(rig).endswith(".toml")
-    if not is_path and str(rig) not in rig_names():
-        names = ", ".join(map(repr, rig_names()))
+    if not is_path and str(rig) not in [*rig_names(), *fleet_rig_names()]:
+        names = ", ".join(map(repr, [*rig_names(), *fleet_rig_names()]))
         raise ValueError(f"rig = {str(rig)!r}: must be a Rig, the path of a .toml file or one of {names}")
     path = Path(rig) if is_path else RIGS / f"{rig}.toml"
     if not path.is_file():
