@@ -2,8 +2,8 @@
 
     python benchmarks/measured_rigs.py --draws 100 --out docs/measured-rigs.png
 
-For each identified rig (`heli_gym/rigs/fleet`), the 360 degree rotation is planned in the shortest time and with reserves
-of time, by equation (3) with friction and the rig's thrust map. `feedforward+tvlqr` flies each plan
+For each identified rig (`heli_gym/rigs/fleet`), the 360 degree rotation is planned in the shortest time and with
+reserves of time, by equation (3) with friction and the rig's thrust map. `feedforward+tvlqr` flies each plan
 
 * on the rig's own plant (`Plant.from_rig`), with all effects that were identified,
 * on draws of that plant: thrust that drifts, and slow accelerations as large as those of the logs,
@@ -11,8 +11,8 @@ of time, by equation (3) with friction and the rig's thrust map. `feedforward+tv
 * on draws of `fleet`, which are other rigs;
 
 `kalman-lqr`, which knows lag and dead time, flies it on the draws of the rig's own plant. Reserves are distances to the
-amplifier's limits and to the pitch stop in the plan; a flight succeeds if it ends within the environment's tolerances, of
-3 degrees of travel and elevation among others.
+amplifier's limits and to the pitch stop in the plan; a flight succeeds if it ends within the environment's tolerances,
+of 3 degrees of travel and elevation among others.
 """
 
 import argparse
@@ -22,7 +22,7 @@ import gymnasium as gym
 import numpy as np
 from matplotlib.figure import Figure
 
-from heli_gym import Gust, Maneuver, Plant, Sensors, ThrustDrift, Trajectory
+from heli_gym import PLANTS, Gust, Maneuver, Plant, Sensors, ThrustDrift, Trajectory
 from heli_gym.baselines import fly, fly_many, make_policy, plan, plan_fastest
 from heli_gym.baselines.evaluation.figures import BLUE, INK, RED, finish, save, styled
 from heli_gym.baselines.evaluation.metrics import flight_metrics
