@@ -24,7 +24,7 @@ class Maneuver:
 
     Args:
         start: travel and elevation in rad at the start.
-        goal: travel and elevation in rad at the end.
+        goal: travel and elevation in rad at the end; None as the elevation leaves it free.
         duration: transition time T in s.
         limits: limits (6), (7) of the plan's voltages and pitch; the rig's by default, which are (9) for the paper's.
         parameters: coefficients of (3), the rig's by default; without a rig, of (2) and (3).
@@ -33,10 +33,16 @@ class Maneuver:
             stays on or above it: q2 is at most the line's elevation, since elevation is positive down.
         start_state: state (6,) instead of start, if not at rest.
         goal_state: state (6,) instead of goal, if not at rest.
+        via: points passed in motion, in order: (time, travel, elevation) in s and rad. Without a time (None), the
+            elevation is that at this travel, whenever it is passed; without an elevation, the travel is that at this
+            time.
+        periodic: whether the flight repeats itself: it starts in motion, in the state in which it ends but for the
+            travel, which may advance. The elevation at the start and at the goal must be equal.
+        elevation_free: whether the elevation at the goal is free; set by a goal without an elevation.
 
     Raises:
         ValueError: if a value is not finite, the duration is not positive, hover at the start or at the goal exceeds
-            the voltage limits, or parameters and rig contradict each other.
+            the voltage limits, via points are not in order, or parameters and rig contradict each other.
     """
 
     start: tuple[float, float] = (0.0, 0.0)
@@ -48,6 +54,9 @@ class Maneuver:
     floor: tuple[tuple[float, ...], tuple[float, ...]] | None = None
     start_state: tuple[float, ...] | None = None
     goal_state: tuple[float, ...] | None = None
+    via: tuple[tuple[float | None, float, float | None], ...] = ()
+    periodic: bool = False
+    elevation_free: bool = False
 
     def __post_init__(self) -> None:
         for end in ("start", "goal"):
@@ -58,6 +67,9 @@ class Maneuver:
                     raise ValueError(f"{end}_state = {state!r}: must be a finite state (6,) with a pitch below 90 deg")
                 object.__setattr__(self, f"{end}_state", tuple(x.tolist()))
                 object.__setattr__(self, end, (float(x[0]), float(x[2])))
+        if isinstance(self.goal, tuple | list) and len(self.goal) == 2 and self.goal[1] is None:
+            object.__setattr__(self, "goal", (self.goal[0], self.start[1]))
+            object.__setattr__(self, "elevation_free", True)
         if self.floor is not None:
             object.__setattr__(self, "floor", validate_floor(self.floor))
         if not isinstance(self.limits, Limits | None):
@@ -99,6 +111,14 @@ class Maneuver:
                     f"{volts}, and the limits are {self.limits.u_min:g} to {self.limits.u_max:g} V"
                 )
 
+        object.__setattr__(self, "via", validate_via(self.via, self.duration))
+        if self.periodic and (self.start_state, self.goal_state, self.elevation_free) != (None, None, False):
+            raise ValueError("periodic = True: must go with start and goal, not with states or a free elevation")
+        if self.periodic and self.start[1] != self.goal[1]:
+            raise ValueError(f"goal = {self.goal!r}: must have the elevation of the start, {self.start[1]:g} rad")
+        if self.elevation_free and self.goal_state is not None:
+            raise ValueError("elevation_free = True: must go with goal, not with goal_state")
+
     @property
     def ends(self) -> np.ndarray:
         """States (2, 6) at the start and at the goal."""
@@ -107,14 +127,17 @@ class Maneuver:
 
     @property
     def is_from_rest_to_rest(self) -> bool:
-        """Whether both ends are at rest, given by `start` and `goal`."""
-        return self.start_state is None and self.goal_state is None
+        """Whether it is a transition between two set-points, without via points."""
+        is_moving = self.start_state is not None or self.goal_state is not None or self.periodic
+        return not (is_moving or self.elevation_free or self.via)
 
     def __str__(self) -> str:
         (travel, elevation), (new_travel, new_elevation) = np.degrees(self.start), np.degrees(self.goal)
+        lift = "any" if self.elevation_free else f"{new_elevation:g} deg"
+        more = f" via {len(self.via)} point{'s' if len(self.via) > 1 else ''}" if self.via else ""
         return (
-            f"travel {travel:g} to {new_travel:g} deg, elevation {elevation:g} to {new_elevation:g} deg "
-            f"in {self.duration:g} s within {self.limits}"
+            f"travel {travel:g} to {new_travel:g} deg, elevation {elevation:g} to {lift}{more}"
+            f"{', periodic,' if self.periodic else ''} in {self.duration:g} s within {self.limits}"
         )
 
 
@@ -129,6 +152,27 @@ def validate_floor(floor: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
     if not fits:
         raise ValueError(f"floor = {floor!r}: must be (travel, elevation), finite (N,) each, in rad, travel increasing")
     return tuple(travel.tolist()), tuple(elevation.tolist())
+
+
+def validate_via(via: Any, duration: float) -> tuple[tuple[float | None, float, float | None], ...]:
+    """Return via points as tuples of floats. Raises ValueError unless they are in order and within the duration."""
+    points, last = [], 0.0
+    for k, point in enumerate(via):
+        said = f"via[{k}] = {point!r}: must be (time, travel, elevation) in s and rad, "
+        if not isinstance(point, tuple | list) or len(point) != 3:
+            raise ValueError(said + "time or elevation None if free")
+        if not all(value is None or (isinstance(value, Real) and math.isfinite(value)) for value in point):
+            raise ValueError(said + "finite, time or elevation None if free")
+        time, travel, elevation = (None if value is None else float(value) for value in point)
+        if travel is None or (time is None and elevation is None):
+            raise ValueError(said + "with a travel, and a time or an elevation")
+        if elevation is not None and not abs(elevation) < math.pi / 2:
+            raise ValueError(said + "with an elevation within 90 degrees")
+        if time is not None and not last < time < duration:
+            raise ValueError(said + f"times increasing between 0 and the duration of {duration:g} s")
+        last = last if time is None else time
+        points.append((time, travel, elevation))
+    return tuple(points)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

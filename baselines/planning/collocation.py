@@ -14,11 +14,13 @@ from scipy.interpolate import CubicHermiteSpline
 
 from heli_gym.baselines.paper.boundary_value import sample_times
 from heli_gym.baselines.planning.path import PathLimits, excesses, path_limits
+from heli_gym.baselines.planning.spline import via_estimates
 from heli_gym.model import dynamics, hover_input, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
 OBJECTIVES = ("time", "effort")
 INTERVALS = 100
+FEWEST = 6  # intervals between via points
 SHORTEST, LONGEST = 0.05, 600.0  # s, shortest transition and longest computation
 STEPS = 3000  # largest number, of the interior-point method
 TIGHTENINGS = 5  # largest number of times that the pitch limits are tightened
@@ -51,6 +53,8 @@ def collocate(
     guess: Collocation | None = None,
     time_limit: float = LONGEST,
     tighter: dict[str, float] | None = None,
+    smooth: bool = False,
+    slopes: np.ndarray | None = None,
 ) -> Collocation | None:
     """Transition of least time, at most the maneuver's duration, or of least effort in exactly that duration.
 
@@ -63,6 +67,8 @@ def collocate(
         guess: initial guess; by default a straight line between the ends at hover thrust.
         time_limit: in s, for the solver.
         tighter: amounts by which path constraints are tightened, by name.
+        smooth: whether the thrusts begin and end with those of hover where the maneuver is at rest.
+        slopes: (2, intervals) least slopes in N/V of the thrust maps, for the slew rate; those of hover by default.
 
     Returns:
         A local optimum; None if the solver finds none.
@@ -75,7 +81,7 @@ def collocate(
         raise ValueError(f"objective = {objective!r}: must be one of {', '.join(OBJECTIVES)}")
     ca = import_casadi()
     limits, p, n = maneuver.limits, maneuver.parameters, intervals
-    ends = np.array([[travel, 0.0, elevation, 0.0, 0.0, 0.0] for travel, elevation in (maneuver.start, maneuver.goal)])
+    ends, turn = maneuver.ends, maneuver.goal[0] - maneuver.start[0]
     hover = 0.5 * float(hover_input(maneuver.goal[1], p)[0])
     x, f = ca.SX.sym("x", 6), ca.SX.sym("f", 2)
     derivative = dynamics(ca.vertsplit(x), (f[0] + f[1], f[0] - f[1]), p, ca.sin, ca.cos)
@@ -83,45 +89,120 @@ def collocate(
 
     problem = ca.Opti()
     X, F = problem.variable(6, n + 1), problem.variable(2, n + 1)
-    T = problem.variable() if objective == "time" else maneuver.duration
-    h, left, right = T / n, slice(0, n), slice(1, n + 1)
+    shares, travel, elevation = via_estimates(maneuver, maneuver.duration)
+    nodes = phase_nodes(shares, n)
+    h, T = phase_steps(problem, maneuver, objective, shares, nodes, guess)
+    left, right = slice(0, n), slice(1, n + 1)
+    steps = ca.repmat(h.T, 6, 1)
     dX = rhs.map(n + 1)(X, F)
-    middle = 0.5 * (X[:, left] + X[:, right]) + h / 8.0 * (dX[:, left] - dX[:, right])
+    middle = 0.5 * (X[:, left] + X[:, right]) + steps / 8.0 * (dX[:, left] - dX[:, right])
     between = rhs.map(n)(middle, 0.5 * (F[:, left] + F[:, right]))
-    problem.subject_to(X[:, right] == X[:, left] + h / 6.0 * (dX[:, left] + 4.0 * between + dX[:, right]))
-    for k, end in ((0, ends[0]), (n, ends[1])):
-        problem.subject_to(X[:, k] == end)
+    problem.subject_to(X[:, right] == X[:, left] + steps / 6.0 * (dX[:, left] + 4.0 * between + dX[:, right]))
+    if maneuver.periodic:
+        problem.subject_to(X[[0, 2], 0] == ends[0, [0, 2]])
+        problem.subject_to(X[:, n] == X[:, 0] + np.array([turn, 0.0, 0.0, 0.0, 0.0, 0.0]))
+        problem.subject_to(F[:, n] == F[:, 0])
+    else:
+        problem.subject_to(X[:, 0] == ends[0])
+        known = [0, 1, 3, 4, 5] if maneuver.elevation_free else list(range(6))
+        problem.subject_to(X[known, n] == ends[1, known])
+        if maneuver.elevation_free:  # at rest in hover
+            problem.subject_to(dX[[3, 5], n] == 0.0)
+    for node, (_, angle, lift) in zip(nodes[1:-1], maneuver.via):
+        problem.subject_to(X[0, int(node)] == angle)
+        if lift is not None:
+            problem.subject_to(X[2, int(node)] == lift)
+    if smooth:
+        for k, state, point in ((0, maneuver.start_state, 0), (n, maneuver.goal_state, 1)):
+            if state is None and not maneuver.periodic and not (k and maneuver.elevation_free):
+                problem.subject_to(F[:, k] == 0.5 * float(hover_input(ends[point, 2], p)[0]))
     low, high = maneuver.rig.thrust_bounds(limits.u)
     problem.subject_to(problem.bounded(low, ca.vec(F), high))
-    problem.subject_to(problem.bounded(limits.pitch_min, X[4, :].T, limits.pitch_max))
+    inner = slice(0 if maneuver.periodic else 1, n)  # ends given by a state may be at the limits
+    problem.subject_to(problem.bounded(limits.pitch_min, X[4, inner].T, limits.pitch_max))
     problem.subject_to(problem.bounded(limits.pitch_min, middle[4, :].T, limits.pitch_max))
-    constrain_way(problem, maneuver, X, F, h, tighter or {})
+    constrain_way(problem, maneuver, X, F, h, tighter or {}, slopes)
     if objective == "time":
         problem.minimize(T)
         problem.subject_to(problem.bounded(SHORTEST, T, maneuver.duration))
-        problem.set_initial(T, maneuver.duration if guess is None else guess.t[-1])
     else:
-        problem.minimize(h * ca.sumsqr(F - hover))
+        problem.minimize(
+            ca.dot(ca.vertcat(h[0], 0.5 * (h[left][1:] + h[left][:-1]), h[-1]), ca.sum1((F - hover) ** 2).T)
+        )
 
-    share = np.linspace(0.0, 1.0, n + 1)
     if guess is None:
-        problem.set_initial(X, ends[0][:, None] + (ends[1] - ends[0])[:, None] * share)
+        share = np.concatenate([np.linspace(a, b, k + 1)[:-1] for a, b, k in phases(shares, nodes)] + [[1.0]])
+        rows = np.zeros((6, n + 1))
+        rows[0], rows[2] = np.interp(share, shares, travel), np.interp(share, shares, elevation)
+        for row in (1, 3):
+            rows[row] = np.gradient(rows[row - 1], share * maneuver.duration)
+        if maneuver.is_from_rest_to_rest:
+            rows[1] = rows[3] = 0.0
+        problem.set_initial(X, rows)
         problem.set_initial(F, hover)
     else:
-        times = share * guess.t[-1]
-        problem.set_initial(X, np.stack([np.interp(times, guess.t, row) for row in guess.x]))
-        problem.set_initial(F, np.stack([np.interp(times, guess.t, row) for row in guess.f]))
+        problem.set_initial(X, guess.x)
+        problem.set_initial(F, guess.f)
     options = {"print_level": 0, "sb": "yes", "max_iter": STEPS, "max_wall_time": max(time_limit, 1e-3)}
     problem.solver("ipopt", {"print_time": False}, options)
     try:
         solution = problem.solve()
     except RuntimeError:  # CasADi's exception if IPOPT does not converge
         return None
-    return Collocation(share * float(solution.value(T)), solution.value(X), solution.value(F))
+    t = np.concatenate(([0.0], np.cumsum(np.broadcast_to(solution.value(h), n))))
+    if objective == "effort":
+        t[-1] = maneuver.duration
+    return Collocation(t, solution.value(X), solution.value(F))
 
 
-def constrain_way(problem: Any, maneuver: Maneuver, X: Any, F: Any, h: Any, tighter: dict[str, float]) -> None:
-    """Add the maneuver's path constraints at the nodes to the problem; h is the interval in s."""
+def phase_nodes(shares: np.ndarray, intervals: int) -> np.ndarray:
+    """Nodes of the start, the via points and the goal (V + 2,), at least FEWEST intervals apart."""
+    spare = max(intervals - FEWEST * (len(shares) - 1), 0)
+    counts = FEWEST + np.floor(spare * np.diff(shares)).astype(int)
+    nodes = np.concatenate(([0], np.cumsum(counts)))
+    nodes[-1] = intervals
+    return nodes
+
+
+def phases(shares: np.ndarray, nodes: np.ndarray) -> list[tuple[float, float, int]]:
+    """Start and end of each phase between via points, as shares of the duration, and its number of intervals."""
+    return [(a, b, int(k)) for a, b, k in zip(shares[:-1], shares[1:], np.diff(nodes))]
+
+
+def phase_steps(
+    problem: Any, maneuver: Maneuver, objective: str, shares: np.ndarray, nodes: np.ndarray, guess: Collocation | None
+) -> tuple[Any, Any]:
+    """Intervals (n,) in s, equal in each phase between via points, and the duration."""
+    ca, timed = import_casadi(), [time is not None for time, *_ in maneuver.via]
+    if objective == "effort" and all(timed):
+        lengths = ca.DM(np.diff(shares) * maneuver.duration)
+        total: Any = maneuver.duration
+    else:
+        lengths = problem.variable(len(shares) - 1)
+        total = ca.sum1(lengths)
+        times = shares * maneuver.duration if guess is None else guess.t[nodes]
+        problem.set_initial(lengths, np.diff(times))
+        problem.subject_to(lengths >= 0.5 * SHORTEST)
+        if objective == "effort":
+            problem.subject_to(total == maneuver.duration)
+        passed = ca.cumsum(lengths)
+        for k, (time, *_) in enumerate(maneuver.via):
+            if time is not None:
+                problem.subject_to(passed[k] == time)
+    h = ca.vertcat(*(ca.repmat(lengths[k] / count, count, 1) for k, count in enumerate(np.diff(nodes).tolist())))
+    return h, total
+
+
+def constrain_way(
+    problem: Any,
+    maneuver: Maneuver,
+    X: Any,
+    F: Any,
+    h: Any,
+    tighter: dict[str, float],
+    slopes: np.ndarray | None,
+) -> None:
+    """Add the maneuver's path constraints at the nodes to the problem; h are the intervals in s."""
     ca, path, rig = import_casadi(), path_limits(maneuver), maneuver.rig
     reserve = {name: WAY_RESERVE + tighter.get(name, 0.0) for name in PathLimits._fields}
     if path.elevation_min is not None:
@@ -135,9 +216,11 @@ def constrain_way(problem: Any, maneuver: Maneuver, X: Any, F: Any, h: Any, tigh
         floor = ca.interpolant("floor", "linear", [pad_travel(path.floor[0])], np.pad(path.floor[1], 1, mode="edge"))
         problem.subject_to(X[2, :] <= floor.map(X.shape[1])(X[0, :]) - reserve["floor"])
     if path.slew is not None:
-        slope = float(np.min(rig.thrust_slope(rig.hover_voltage(maneuver.goal[1]))))
-        most = max(path.slew - tighter.get("slew", 0.0), 0.1 * path.slew) * slope  # in N/s, at hover
-        problem.subject_to(problem.bounded(-most, ca.vec(F[:, 1:] - F[:, :-1]) / h, most))
+        if slopes is None:
+            slopes = np.full((2, h.shape[0]), np.min(rig.thrust_slope(rig.hover_voltage(maneuver.goal[1]))))
+        most = (max(path.slew - tighter.get("slew", 0.0), 0.1 * path.slew) * slopes).T.ravel()  # in N/s
+        change = ca.vec((F[:, 1:] - F[:, :-1]) / ca.repmat(h.T, 2, 1))
+        problem.subject_to(problem.bounded(-most, change, most))
 
 
 def pad_travel(travel: np.ndarray) -> np.ndarray:
@@ -146,19 +229,24 @@ def pad_travel(travel: np.ndarray) -> np.ndarray:
 
 
 def collocated_trajectory(
-    maneuver: Maneuver, objective: str = "effort", time_limit: float | None = None
+    maneuver: Maneuver, objective: str = "effort", time_limit: float | None = None, smooth: bool = False
 ) -> Trajectory | None:
     """Sampled solution of `collocate` that meets the limits between the nodes too; None if there is none.
 
     If the pitch exceeds its limits between two nodes, they are tightened by the excess, and the problem solved again.
     """
     deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
-    tight, found, tighter = maneuver, None, dict[str, float]()
-    for _ in range(TIGHTENINGS):
+    tight, found, tighter, slopes = maneuver, None, dict[str, float](), None
+    for attempt in range(TIGHTENINGS):
         left = min(deadline - time.perf_counter(), LONGEST)
-        found = collocate(tight, objective, INTERVALS, found, left, tighter)
+        found = collocate(tight, objective, INTERVALS, found, left, tighter, smooth, slopes)
         if found is None:
             return None
+        if maneuver.limits.slew is not None:
+            along = maneuver.rig.thrust_slope(maneuver.rig.voltage(found.f))
+            slopes = np.minimum(along[:, 1:], along[:, :-1])
+            if attempt == 0:
+                continue
         trajectory = sample(replace(maneuver, duration=float(found.t[-1])), found)
         pitch, (low, high) = trajectory.x[4], maneuver.limits.pitch
         excess = max(low - pitch.min(), pitch.max() - high) + RESERVE
@@ -183,6 +271,10 @@ def sample(maneuver: Maneuver, found: Collocation) -> Trajectory:
     f = np.clip([np.interp(t, found.t, row) for row in found.f], *maneuver.rig.thrust_bounds(maneuver.limits.u))
     rates = np.stack(dynamics(found.x, virtual_input(found.f), p))
     x = CubicHermiteSpline(found.t, found.x, rates, axis=1)(t)
-    for k, (travel, elevation) in ((0, maneuver.start), (-1, maneuver.goal)):
-        x[:, k] = travel, 0.0, elevation, 0.0, 0.0, 0.0
+    ends = maneuver.ends
+    if maneuver.periodic:
+        ends = np.stack((x[:, 0], x[:, 0] + [maneuver.goal[0] - maneuver.start[0], 0.0, 0.0, 0.0, 0.0, 0.0]))
+    if maneuver.elevation_free:
+        ends[1, 2] = x[2, -1]
+    x[:, [0, -1]] = ends.T
     return Trajectory(t, x, maneuver.rig.voltage(f), maneuver.limits, maneuver.rig)

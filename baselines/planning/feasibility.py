@@ -80,7 +80,7 @@ def followed_by_hover(trajectory: Trajectory, maneuver: Maneuver) -> Trajectory:
     t[-1] = maneuver.duration
     if maneuver.goal_state is not None:
         return trajectory  # the maneuver does not end in hover
-    travel, elevation = maneuver.goal
+    travel, _, elevation, *_ = trajectory.x[:, -1]
     hover = maneuver.rig.voltage(np.array(fan_thrusts(hover_input(elevation, maneuver.parameters))))
     x = np.repeat([[travel], [0.0], [elevation], [0.0], [0.0], [0.0]], len(rest), axis=1)
     u = np.repeat(hover[:, None], len(rest), axis=1)
@@ -140,6 +140,18 @@ def replay_ends(maneuver: Maneuver, duration: float) -> np.ndarray:
     return np.linspace(0.0, duration, 1 + math.ceil(max(1.0, max(rates) * duration / GROWTH)))
 
 
+def end_miss(maneuver: Maneuver, trajectory: Trajectory) -> float:
+    """Distance of a plan's ends from the maneuver's, in rad or rad/s."""
+    first, last = trajectory.x[:, 0], trajectory.x[:, -1]
+    start, goal = maneuver.ends
+    if maneuver.periodic:
+        advance = np.array([goal[0] - start[0], 0.0, 0.0, 0.0, 0.0, 0.0])
+        return float(max(np.abs(last - first - advance).max(), np.abs((first - start)[[0, 2]]).max()))
+    if maneuver.elevation_free:
+        goal[2] = last[2]
+    return float(max(np.abs(first - start).max(), np.abs(last - goal).max()))
+
+
 def fault_of(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
     """Message about the first violated specification of `plan`, from a replay through (3); None if all are met."""
     from heli_gym.baselines.planning.replay import replay  # compiles, or loads from the cache
@@ -153,6 +165,7 @@ def fault_of(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
         x, *extremes = replay(trajectory.x[:, start], v[:, along], t[along] - t[start], maneuver.parameters)
         miss += np.abs(x - trajectory.x[:, end]).max()
         pitch += extremes
+    miss += end_miss(maneuver, trajectory)
     if not miss <= arrival_tolerance(maneuver):
         return f"the plan, replayed, misses the goal by {miss:.2g} rad or rad/s"
     for name, unit, values, (low, high) in (

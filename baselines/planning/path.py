@@ -7,6 +7,7 @@ import numpy as np
 
 from heli_gym.trajectory import Maneuver, Trajectory
 
+VIA_TOLERANCE = 1e-3  # rad, of via points
 PATH_TOLERANCE = 1e-6  # rad, rad/s, and share of a slew rate: tolerance of path constraints
 
 
@@ -30,7 +31,8 @@ def path_limits(maneuver: Maneuver) -> PathLimits:
     """Path constraints of a maneuver; they include the rig's table if both ends are above it."""
     limits = maneuver.limits
     elevation_max, table = limits.elevation_max, maneuver.rig.table_elevation
-    if elevation_max is None and max(maneuver.start[1], maneuver.goal[1]) < table:
+    heights = [maneuver.start[1], maneuver.goal[1], *(lift for _, _, lift in maneuver.via if lift is not None)]
+    if elevation_max is None and max(heights) < table:
         elevation_max = table
     return PathLimits(
         limits.elevation_min,
@@ -60,6 +62,30 @@ def excesses(maneuver: Maneuver, t: np.ndarray, x: np.ndarray, u: np.ndarray) ->
     return found
 
 
+def passages(maneuver: Maneuver, t: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """Misses (V, 2) of the via points by a flight, in travel and elevation, in rad; zero for a free coordinate.
+
+    A point without a time counts at the passage of its travel that misses its elevation least.
+    """
+    missed = np.zeros((len(maneuver.via), 2))
+    for k, (time, travel, elevation) in enumerate(maneuver.via):
+        if time is not None:
+            at = [float(np.interp(time, t, row)) for row in (x[0], x[2])]
+            missed[k] = at[0] - travel, 0.0 if elevation is None else at[1] - elevation
+            continue
+        assert elevation is not None
+        side = x[0] - travel
+        passed = np.flatnonzero(side[:-1] * side[1:] <= 0.0)
+        if not len(passed):
+            missed[k, 0] = side[np.abs(side).argmin()]
+            continue
+        turn = side[passed + 1] - side[passed]
+        share = np.where(turn == 0.0, 0.0, -side[passed] / np.where(turn == 0.0, 1.0, turn))
+        lifts = (1.0 - share) * x[2, passed] + share * x[2, passed + 1] - elevation
+        missed[k, 1] = lifts[np.abs(lifts).argmin()]
+    return missed
+
+
 def path_fault(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
     """Message about the first violated path constraint, with its excess; None if all are satisfied."""
     for name, excess in excesses(maneuver, trajectory.t, trajectory.x, trajectory.u).items():
@@ -68,12 +94,16 @@ def path_fault(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
             amount = f"{excess:.2g} V/s" if name == "slew" else f"{math.degrees(excess):.2g} deg"
             amount += "/s" if name.endswith("_rate") else ""
             return f"the plan's way exceeds {name} by {amount}"
+    for k, missed in enumerate(np.abs(passages(maneuver, trajectory.t, trajectory.x)).max(axis=1)):
+        if missed > VIA_TOLERANCE:
+            return f"the plan's way misses via[{k}] = {maneuver.via[k]} by {math.degrees(missed):.2g} deg"
     return None
 
 
 def check_ends(maneuver: Maneuver) -> None:
     """Raise ValueError, which names the constraint, if an end of the maneuver violates one."""
-    for name, x in zip(("start", "goal"), maneuver.ends):
+    ends = maneuver.ends[: 1 if maneuver.elevation_free else 2]
+    for name, x in zip(("start", "goal"), ends):
         rest = excesses(maneuver, np.arange(2.0), np.stack((x, x), axis=1), np.zeros((2, 2)))
         for constraint, excess in rest.items():
             if excess > PATH_TOLERANCE:

@@ -101,12 +101,11 @@ def plan(
         raise ValueError(f"objective = {objective!r}: must go with method 'auto' or 'spline'")
     if start_state is not None:
         maneuver = replace(maneuver, start_state=tuple(np.asarray(start_state, dtype=float).tolist()))
-    if not maneuver.is_from_rest_to_rest and method not in ("auto", "spline"):
-        raise ValueError(f"method = {method!r} plans from rest to rest: must be auto or spline for other ends")
+    check_method(maneuver, method)
     check_scale(maneuver)
     check_ends(maneuver)
     clock = start_clock(maneuver, time_limit)
-    if not maneuver.is_from_rest_to_rest:
+    if not maneuver.is_from_rest_to_rest and method == "auto":
         method = "spline"
     if near is None and objective is not None:
         return OBJECTIVES[objective](maneuver, clock)
@@ -145,14 +144,26 @@ def plan_fastest(
         raise ValueError(f"method = {method!r}: must be one of {', '.join(FASTEST)}")
     if not 0.0 <= reserve < 1.0:
         raise ValueError(f"reserve = {reserve!r}: must be at least 0 and less than 1")
-    if maneuver.start == maneuver.goal:
+    if maneuver.start == maneuver.goal and maneuver.is_from_rest_to_rest:
         raise ValueError(f"goal = {maneuver.goal}: must differ from the start")
     check_scale(maneuver)
     check_ends(maneuver)
-    if not maneuver.is_from_rest_to_rest:
-        raise ValueError(f"{maneuver}: must start and end at rest to be flown as fast as possible")
+    check_method(maneuver, method)
+    if any(time is not None for time, *_ in maneuver.via):
+        raise ValueError(f"via = {maneuver.via}: must be without times to be passed as fast as possible")
+    if not maneuver.is_from_rest_to_rest and method == "auto":
+        method = "spline"
     requested = replace(maneuver, limits=with_reserve(maneuver.limits, reserve))
     return replace(FASTEST[method](requested, start_clock(maneuver, time_limit)), limits=maneuver.limits)
+
+
+def check_method(maneuver: Maneuver, method: str) -> None:
+    """Raise ValueError for a method that only plans from rest to rest, if the maneuver is another one."""
+    if not maneuver.is_from_rest_to_rest and method not in GENERAL:
+        raise ValueError(
+            f"method = {method!r} plans from rest to rest: must be one of {', '.join(GENERAL)} for ends in motion, a "
+            "free elevation, via points, and periodic flights"
+        )
 
 
 def with_reserve(limits: Limits, reserve: float) -> Limits:
@@ -225,17 +236,29 @@ def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     trajectory = validated(maneuver, spline.plan_smoothest(maneuver), clock)
     if trajectory is not None:
         return trajectory
-    if not maneuver.is_from_rest_to_rest:
-        raise infeasible(maneuver, None, clock)
+    if any(time is not None for time, *_ in maneuver.via):
+        raise infeasible_via(maneuver, clock)
     fastest, trajectory = fastest_spline(maneuver, clock)
     if fastest.duration > maneuver.duration:
         raise slower_than_requested(maneuver, fastest)
     lengthened = validated(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check), clock)
-    if lengthened is None:
+    if lengthened is None and maneuver.goal_state is None and not maneuver.periodic:
         lengthened = validated(maneuver, followed_by_hover(trajectory, maneuver), clock)
     if lengthened is None:
         raise infeasible(maneuver, trajectory, clock)
     return lengthened
+
+
+def infeasible_via(maneuver: Maneuver, clock: TimeLimit) -> InfeasibleManeuver:
+    """Make the error for via points in given times: names those without which there is a plan."""
+    for k in range(len(maneuver.via)):
+        clock.check()
+        others = replace(maneuver, via=maneuver.via[:k] + maneuver.via[k + 1 :])
+        if validated(others, spline.plan_smoothest(others)) is not None:
+            return InfeasibleManeuver(
+                f"no plan found for {maneuver}; without via[{k}] = {maneuver.via[k]} there is one"
+            )
+    return infeasible(maneuver, None, clock)
 
 
 def plan_fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
@@ -379,6 +402,7 @@ def collocated_above(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
     return trajectory and validated(replace(maneuver, duration=trajectory.duration), trajectory, clock)
 
 
+GENERAL = "auto", "spline", "collocation"  # methods for all maneuvers
 METHODS: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
     "auto": plan_auto,
     "paper": plan_paper,

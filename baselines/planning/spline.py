@@ -13,10 +13,11 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
+from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from heli_gym.baselines.paper.boundary_value import RISE, sample_times
 from heli_gym.baselines.paper.normal_form import internal_dynamics, travel_damping
-from heli_gym.baselines.planning.path import excesses, path_limits
+from heli_gym.baselines.planning.path import excesses, passages, path_limits
 from heli_gym.model import dynamics, hover_input, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -28,6 +29,7 @@ COLD, LUKEWARM, WARM = 0.1, 1e-2, 1e-3  # initial one: from a guess, from a solu
 EXACT = 1e-4  # final barrier parameter for the exactly smoothest plan, as a share of its roughness
 EFFORT, EFFORT_ROUGHNESS = 10.0, 1e-4  # weights of the squared distance from hover thrusts, and of smoothness
 STEEPEST = 0.5 * math.pi  # rad, of any elevation
+END_MARGIN = 0.02  # rad, of pitch coefficients next to an end in motion
 ROUGHNESS = 1e-4  # weight of smoothness (integral of squared N/s) relative to the logarithm of the duration
 TOLERANCE = 1e-7  # rad/s² and N
 ITERATIONS = {"fixed": 200, "fastest": 1000}
@@ -37,6 +39,7 @@ STRETCHES = (1.0, 1.6, 0.7, 1.25, 2.5, 4.0)  # factors on that duration, tried u
 LEAST_STRETCH = 0.05  # smallest step of lengthening, as a share of the interval of durations
 APPROACH = (0.8, 0.6, 0.4, 0.2, 0.0)  # decreasing shares of the initial excess over a constraint
 TIGHTENINGS = 5  # largest number of times that thrust bounds are tightened for an excess between collocation points
+VIA_ACCURACY = 1e-4  # rad, largest miss of a via point; the integral of the travel to it is approximate
 
 
 class Spline(NamedTuple):
@@ -48,6 +51,8 @@ class Spline(NamedTuple):
     # fastest plan, they are the sensitivities of the logarithm of its duration to the bounds.
     multipliers: np.ndarray
     by_path: tuple[tuple[str, float], ...] = ()  # likewise of the path constraints, per rad, rad/s or N/s
+    rate: float = 0.0  # rad/s, travel rate at the start
+    is_fixed: bool = False  # whether the accelerations at a moving start are fixed
 
 
 class Bounds(NamedTuple):
@@ -57,20 +62,53 @@ class Bounds(NamedTuple):
     on_the_way: bool = False
     tighter: Mapping[str, float] = MappingProxyType({})
     slopes: np.ndarray | None = None  # (2, N) of the thrust maps in N/V along the previous plan, for the slew rate
+    vias: np.ndarray | None = None  # (V, 3) via points, shifted by their miss in the previous plan
 
 
 def guess(maneuver: Maneuver, duration: float, segments: int) -> Spline:
-    """Initial guess: elevation as in Section III-B, and one period of a sine as pitch, scaled to the travel."""
+    """Initial guess: elevation as in Section III-B, and one period of a sine as pitch, scaled to the travel.
+
+    With via points: the elevation monotone between them, and the pitch of a smooth travel through them.
+    """
     low, high = maneuver.limits.pitch
     share = np.clip(np.arange(-1, segments + 2) / segments, 0.0, 1.0)
     (angle, rate, lift, *_), (new_angle, new_rate, new_lift, *_) = maneuver.ends
     by_pitch = tilted_acceleration(maneuver)
-    swing = 2.0 * math.pi * (new_angle - angle - 0.5 * duration * (rate + new_rate)) / duration**2 / by_pitch
-    steady = (new_rate - rate) / duration / by_pitch
-    elevation = lift + (new_lift - lift) * RISE(share)
-    pitch = swing * np.sin(2.0 * math.pi * share) + 2.0 * steady * np.sin(math.pi * share) ** 2
+    if maneuver.via:
+        shares, travel, elevation = via_estimates(maneuver, duration)
+        ends = "periodic" if maneuver.periodic else ((1, duration * rate), (1, duration * new_rate))
+        advance = (travel[-1] - travel[0]) * shares if maneuver.periodic else 0.0 * shares
+        rounded = np.append((travel - advance)[:-1], (travel - advance)[0 if maneuver.periodic else -1])
+        pitch = np.arctan(CubicSpline(shares, rounded, bc_type=ends)(share, 2) / duration**2 / by_pitch)
+        rate = (travel[-1] - travel[0]) / duration if maneuver.periodic else rate
+        elevation = PchipInterpolator(shares, elevation)(share)
+    else:
+        swing = 2.0 * math.pi * (new_angle - angle - 0.5 * duration * (rate + new_rate)) / duration**2 / by_pitch
+        steady = (new_rate - rate) / duration / by_pitch
+        elevation = lift + (new_lift - lift) * RISE(share)
+        pitch = swing * np.sin(2.0 * math.pi * share) + 2.0 * steady * np.sin(math.pi * share) ** 2
+        if maneuver.periodic:
+            rate, pitch = (new_angle - angle) / duration, 0.0 * pitch
     pitch = np.clip(pitch, SWING * low, SWING * high)
-    return Spline(with_ends(np.stack((elevation, pitch), axis=1), maneuver, duration), duration, np.zeros(4))
+    coefficients = np.stack((elevation, pitch), axis=1)
+    if not maneuver.periodic:
+        coefficients = with_ends(coefficients, maneuver, duration)
+    return Spline(coefficients, duration, np.zeros(4), rate=float(rate))
+
+
+def via_estimates(maneuver: Maneuver, duration: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Estimated times as shares of the duration, travel and elevation of start, via points and goal (V + 2,) each.
+
+    A free time follows from the travel's distance between its neighbours, with equal parts for the points' number.
+    """
+    points = [(0.0, *maneuver.start), *maneuver.via, (duration, *maneuver.goal)]
+    travel = np.array([point[1] for point in points])
+    known = [k for k, point in enumerate(points) if point[2] is not None]
+    elevation = np.interp(range(len(points)), known, [float(points[k][2] or 0.0) for k in known])
+    way = np.concatenate(([0.0], np.cumsum(np.abs(np.diff(travel)) + 0.3)))
+    timed = [k for k, point in enumerate(points) if point[0] is not None]
+    times = np.interp(way, way[timed], [float(points[k][0] or 0.0) for k in timed])
+    return times / duration, travel, elevation
 
 
 def tilted_acceleration(maneuver: Maneuver) -> float:
@@ -93,13 +131,22 @@ def guess_from(maneuver: Maneuver, near: Trajectory, segments: int) -> Spline:
     if maneuver.start_state is not None:
         at_start = dynamics(x[:, 2], virtual_input(near.rig.thrust(u[:, 2])), maneuver.parameters)
         accelerations = at_start[3], at_start[5]
-    return Spline(with_ends(coefficients, maneuver, maneuver.duration, accelerations), maneuver.duration, np.zeros(4))
+    coefficients = with_ends(coefficients, maneuver, maneuver.duration, accelerations)
+    return Spline(
+        coefficients,
+        maneuver.duration,
+        np.zeros(4),
+        rate=float(x[1, 2] if maneuver.periodic else maneuver.ends[0, 1]),
+        is_fixed=accelerations is not None,
+    )
 
 
 def with_ends(
     coefficients: np.ndarray, maneuver: Maneuver, duration: float, accelerations: tuple[float, float] | None = None
 ) -> np.ndarray:
     """Coefficients (M, 2) with the maneuver's start and goal, at zero acceleration unless given for the start."""
+    if maneuver.periodic:
+        return coefficients
     h = duration / (len(coefficients) - REST)
     places = (slice(0, REST), slice(-REST, None))
     for place, x, acceleration in zip(places, maneuver.ends, (accelerations, None)):
@@ -107,6 +154,41 @@ def with_ends(
         middle = x[[2, 4]] - bend / 3.0
         coefficients[place] = middle + bend - h * x[[3, 5]], middle, middle + bend + h * x[[3, 5]]
     return coefficients
+
+
+def fixed_ends(maneuver: Maneuver, start: Spline) -> tuple[int, int]:
+    """Numbers of fixed coefficients at the start and at the goal; `end_rows` determines the others."""
+    at_start = not maneuver.periodic and (maneuver.start_state is None or start.is_fixed)
+    at_goal = not maneuver.periodic and maneuver.goal_state is None and not maneuver.elevation_free
+    return (REST if at_start else 0), (REST if at_goal else 0)
+
+
+def end_rows(maneuver: Maneuver, held: tuple[int, int]) -> tuple[list[int], list[float]]:
+    """Equations of ends that are not fixed, for rows of the kind END: indices and targets."""
+    from heli_gym.baselines.planning import spline_kernel as kernel
+
+    if maneuver.periodic:
+        return [kernel.START, *(kernel.LOOP + k for k in range(6))], [maneuver.start[1]] + 6 * [0.0]
+    rows: dict[int, float] = {}
+    for place, x, fixed in zip((kernel.START, kernel.GOAL), maneuver.ends, held):
+        if not fixed:
+            rows |= {place: x[2], place + 1: x[3], place + 3: x[4], place + 4: x[5]}
+    if maneuver.elevation_free:  # at rest in hover
+        rows |= {kernel.GOAL + order: 0.0 for order in (2, 5)}
+        del rows[kernel.GOAL]
+    return list(rows), [float(value) for value in rows.values()]
+
+
+def pitch_bounds(maneuver: Maneuver, held: tuple[int, int], count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Bounds (N,) in rad of the free pitch coefficients: the limits, but wider where an end in motion requires it."""
+    low, high = (np.full(count, limit) for limit in maneuver.limits.pitch)
+    for fixed, order, x in zip(held, (1, -1), maneuver.ends):
+        if not fixed and not maneuver.periodic and (x[4] or x[5]):
+            low[::order][0], high[::order][0] = -STEEPEST, STEEPEST
+            for k in (1, 2):
+                low[::order][k] = min(low[::order][k], x[4] - END_MARGIN)
+                high[::order][k] = max(high[::order][k], x[4] + END_MARGIN)
+    return low, high
 
 
 def refined(spline: Spline) -> Spline:
@@ -174,25 +256,34 @@ def optimise(
     p, segments = maneuver.parameters, len(start.coefficients) - REST
     roughness, time_weight, effort = weights
     rates = roughness * smoothness_weights(maneuver, duration, segments)
-    points, free = 2 * (3 * segments + 1), segments - REST
+    held = fixed_ends(maneuver, start)
+    points, free = 2 * (3 * segments + 1), segments + REST - sum(held)
     names, rows, row_low, row_high = constraint_rows(maneuver, segments, bounds)
     low, high = (
-        np.concatenate((np.full(points, thrust), np.full(free, pitch), on_the_way))
-        for thrust, pitch, on_the_way in zip(bounds.thrusts, maneuver.limits.pitch, (row_low, row_high))
+        np.concatenate((np.full(points, thrust), pitch, on_the_way))
+        for thrust, pitch, on_the_way in zip(
+            bounds.thrusts, pitch_bounds(maneuver, held, free), (row_low, row_high), strict=True
+        )
     )
+    rows, targets, vias = with_equations(maneuver, rows, held, duration, bounds)
     (_, rate, *_), (_, new_rate, *_) = maneuver.ends
     floor = np.zeros((2, 2)) if maneuver.floor is None else np.array(maneuver.floor) - [[maneuver.start[0]], [0.0]]
-    converged, _, coefficients, s, multipliers = compiled(run)(
+    turn = maneuver.goal[0] - maneuver.start[0]
+    converged, _, coefficients, s, rate, multipliers = compiled(run)(
         start.coefficients,
         duration**-2.0,
-        (float(rate), 0.0, float(new_rate), maneuver.goal[0] - maneuver.start[0], travel_damping(p)),
+        float(start.rate if maneuver.periodic else rate),
+        held,
+        (float(new_rate), turn, travel_damping(p), float(maneuver.periodic)),
         low,
         high,
         rows,
+        targets,
+        vias,
         floor,
         p,
         ((rates[0], rates[1]), time_weight, effort, 0.5 * float(hover_input(maneuver.goal[1], p)[0])),
-        time_weight > 0.0,
+        (time_weight > 0.0, maneuver.periodic),
         barrier,
         last_barrier,
         TOLERANCE,
@@ -204,8 +295,44 @@ def optimise(
     of_rows = multipliers[:, points + free :].sum(axis=0)
     by_path = tuple((name, float(of_rows[names == name].sum())) for name in dict.fromkeys(names.tolist()))
     return Spline(
-        coefficients, s**-0.5 if time_weight else duration, np.array([sums[0], sums[2], sums[1], sums[3]]), by_path
+        coefficients,
+        s**-0.5 if time_weight else duration,
+        np.array([sums[0], sums[2], sums[1], sums[3]]),
+        by_path,
+        rate,
+        start.is_fixed,
     )
+
+
+def with_equations(
+    maneuver: Maneuver, rows: np.ndarray, held: tuple[int, int], duration: float, bounds: Bounds
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Rows with bounds, followed by the equations of ends and via points; their targets; and the via points (V, 3)."""
+    from heli_gym.baselines.planning import spline_kernel as kernel
+
+    indices, values = end_rows(maneuver, held)
+    equations = [(kernel.END, index) for index in indices]
+    vias = np.zeros((0, 3))
+    if maneuver.via:
+        shares = via_estimates(maneuver, duration)[0][1:-1]
+        vias = np.array(
+            [
+                (-1.0 - share if time is None else time / duration, travel, lift or 0.0)
+                for share, (time, travel, lift) in zip(shares, maneuver.via)
+            ]
+        )
+        vias[:, 1] -= maneuver.start[0]
+        if bounds.vias is not None:
+            vias[:, 1:] += bounds.vias
+        for k, (time, _, lift) in enumerate(maneuver.via):
+            if time is None:
+                equations.append((kernel.CROSSING, k))
+            else:
+                equations.append((kernel.VIA_TRAVEL, k))
+                equations += [] if lift is None else [(kernel.VIA_ELEVATION, k)]
+    targets = np.zeros(len(rows) + len(equations))
+    targets[len(rows) : len(rows) + len(values)] = values
+    return np.concatenate((rows, np.array(equations, np.int64).reshape(-1, 2))), targets, vias
 
 
 def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[np.ndarray, ...]:
@@ -215,6 +342,8 @@ def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[
     path = path_limits(maneuver)
     blocks: list[tuple[str, int, np.ndarray, Any, Any]] = []
     knots, coefficients = np.arange(1, segments), np.arange(REST, segments)
+    if maneuver.periodic:
+        knots = np.arange(segments + 1)
 
     def within(name: str) -> float:
         return getattr(path, name) - bounds.tighter.get(name, 0.0)
@@ -264,24 +393,26 @@ def solve_within_limits(
     limits = low, high = maneuver.rig.thrust_bounds(maneuver.limits.u)
     tighter: dict[str, float] = {}
     over: dict[str, float] = {}
-    on_the_way, slopes = False, None
+    on_the_way, slopes, vias = False, None, np.zeros((len(maneuver.via), 2))
     for _ in range(TIGHTENINGS):
-        spline = optimum(maneuver, start, Bounds((low, high), on_the_way, tighter, slopes), barrier)
+        bounds = Bounds((low, high), on_the_way, tighter, slopes, vias)
+        spline = optimum(maneuver, start, bounds, barrier)
         if spline is None and over:
-            spline = solve_by_homotopy(maneuver, optimum, start, Bounds((low, high), on_the_way, over, slopes))
+            spline = solve_by_homotopy(maneuver, optimum, start, bounds._replace(tighter=over))
         if spline is None:
             return None
         t, x, f = sample(maneuver, spline)
         below, above = limits[0] - f.min(), f.max() - limits[1]
         u = maneuver.rig.voltage(np.clip(f, *limits))
         over = {name: excess for name, excess in excesses(maneuver, t, x, u).items() if excess > 0.0}
-        if max(below, above) <= 0.0 and not over:
+        missed = passages(maneuver, t, x)
+        if max(below, above) <= 0.0 and not over and np.abs(missed).max(initial=0.0) <= VIA_ACCURACY:
             return spline, Trajectory(t, x, u, maneuver.limits, maneuver.rig)
         low, high = low + 1.2 * max(below, 0.0), high - 1.2 * max(above, 0.0)
         if on_the_way:
             tighter = {**tighter, **{name: tighter.get(name, 0.0) + 1.2 * excess for name, excess in over.items()}}
         on_the_way = on_the_way or bool(over)
-        slopes = maneuver.rig.thrust_slope(u)
+        slopes, vias = maneuver.rig.thrust_slope(u), vias - missed
         start, barrier = spline, LUKEWARM if over else WARM
     return None
 
@@ -311,7 +442,7 @@ def sample(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray, 
     growth = np.exp(damping * t)
     acceleration = growth * acceleration
     ends = maneuver.ends
-    deta, eta = np.full(len(t), ends[0, 1]), np.full(len(t), ends[0, 0])
+    deta, eta = np.full(len(t), spline.rate if maneuver.periodic else ends[0, 1]), np.full(len(t), ends[0, 0])
     deta[1:] += np.cumsum(0.5 * h * (acceleration[:-1] + acceleration[1:]))
     if damping:
         deta /= growth
@@ -320,6 +451,11 @@ def sample(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray, 
     else:
         eta[1:] += np.cumsum(h * deta[:-1] + h**2 / 6.0 * (2.0 * acceleration[:-1] + acceleration[1:]))
     x = np.stack((eta, deta, y[0], dy1, y[1], dy2))
+    if maneuver.periodic:
+        x[:, -1] = x[:, 0] + [maneuver.goal[0] - maneuver.start[0], 0.0, 0.0, 0.0, 0.0, 0.0]
+        return t, x, f
+    if maneuver.elevation_free:
+        ends[1, 2] = x[2, -1]
     x[:, [0, -1]] = ends.T
     return t, x, f
 
@@ -346,7 +482,10 @@ def easy_duration(maneuver: Maneuver) -> float:
     """Duration in s, long enough for a plan in most cases: EASY times a rough lower bound."""
     # flight at the pitch limit accelerates the travel half of the way
     acceleration = abs(tilted_acceleration(maneuver)) * math.tan(min(np.abs(maneuver.limits.pitch)))
-    return EASY * (1.0 + 2.0 * math.sqrt(abs(maneuver.goal[0] - maneuver.start[0]) / acceleration))
+    travel = [maneuver.start[0], *(point[1] for point in maneuver.via), maneuver.goal[0]]
+    turns = float(np.abs(maneuver.ends[:, 1]).sum()) / acceleration  # to slow down from and speed up to moving ends
+    ways = sum(math.sqrt(abs(rise) / acceleration) for rise in np.diff(travel))
+    return EASY * (1.0 + 2.0 * ways + turns)
 
 
 def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline, Trajectory] | None:

@@ -1,10 +1,10 @@
 """The interior-point method behind `heli_gym.baselines.planning.spline`, compiled.
 
-The unknowns are the coefficients c (M, 2) of elevation and pitch, except the first and last three, and, if the duration
-is free, s = 1/T². The travel's two quadratures E are the only equations; the fans' thrusts f at K points, the pitch
-coefficients and further rows have bounds. Ordered by knots, the normal equations are banded with a border of three
-columns: s and the multipliers of the two equations. Rows on the travel, which depends on all earlier accelerations,
-make the band a full matrix.
+The unknowns are the coefficients c (M, 2) of elevation and pitch, except those fixed at each end, s = 1/T² if the
+duration is free, and the initial travel rate w if the flight is periodic. The fans' thrusts f at K points, the pitch
+coefficients and further rows have bounds. Equations are the travel's two quadratures and the last rows: ends in motion
+and via points. Ordered by knots, the normal equations are banded, with a border: s, w, and the multipliers of the
+equations. Bounds on the travel, which depends on all earlier accelerations, make the band a full matrix.
 
 The helicopter's equations are those of `heli_gym.model`: values from `inverse_dynamics` and `dynamics`, first
 derivatives from dual numbers, second derivatives from differences of these. The travel may have viscous damping.
@@ -28,8 +28,12 @@ POINTS = (0.0, 0.5 - INNER, 0.5 + INNER)  # Lobatto points of a segment; the fou
 WEIGHTS = (1.0 / 6.0, 5.0 / 12.0, 5.0 / 12.0)  # of the quadrature; at a knot, the sum for both segments
 SHARES = (1.0 / 12.0, 5.0 / 12.0, 5.0 / 12.0, 1.0 / 12.0)  # of the quadrature over one segment
 KNOT = (1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0)  # values of the splines at a knot
-# Kinds of rows, in order: on coefficients, their differences, knots (two kinds), and thrusts at neighbouring points
-ELEVATION, ELEVATION_RATE, TRAVEL_RATE, FLOOR, SLEW = 0, 1, 2, 3, 4
+# Kinds of rows, in order: on coefficients, their differences, knots (two kinds), thrusts at neighbouring points (two
+# kinds), ends, and via points (three kinds)
+ELEVATION, ELEVATION_RATE, TRAVEL_RATE, FLOOR, SLEW, LEAD, END, VIA_TRAVEL, VIA_ELEVATION, CROSSING = range(10)
+START, GOAL, LOOP = 0, 6, 12  # indices of rows at ends: one of these plus 3 for pitch plus the order of the derivative
+ENDS = ((KNOT[0], KNOT[1], KNOT[2]), (-0.5, 0.0, 0.5), (1.0, -2.0, 1.0))  # derivatives at a knot, per power of segments
+BORDER = 2  # unknowns besides the coefficients: s and the initial travel rate
 THIRD = (-1.0, 3.0, -3.0, 1.0)  # third difference
 CLOSEST = 0.02  # distance of a guess from its bounds, as a share of their difference
 TO_BOUNDARY = 0.99  # largest step towards a bound, as a share of the distance
@@ -144,15 +148,12 @@ def arrival(left, damping):
     return decay, (1.0 - decay) / damping if damping > 0.0 or damping < 0.0 else left
 
 
-def travel_along(r, s, travel, points, rates, angles):
-    """Fill in the travel's rates and angles (S + 1,) at the knots, from accelerations r (K,) at the points.
-
-    travel: rate and angle at the start, those at the goal, and the damping.
-    """
+def travel_along(r, s, w, damping, points, rates, angles):
+    """Fill in the travel's rates and angles (S + 1,) at the knots, from accelerations r (K,) at the points."""
     _, _, tau, _ = points
-    T, segments, damping = 1.0 / math.sqrt(s), len(rates) - 1, travel[4]
+    T, segments = 1.0 / math.sqrt(s), len(rates) - 1
     keep, carry = arrival(T / segments, damping)
-    rates[0], angles[0] = travel[0], travel[1]
+    rates[0], angles[0] = w, 0.0
     for j in range(segments):
         rates[j + 1], angles[j + 1] = keep * rates[j], angles[j] + carry * rates[j]
         for q in range(4):
@@ -173,15 +174,70 @@ def floor_at(angle, floor):
     return floor[1, k] + slope * (angle - floor[0, k]), slope
 
 
-def evaluate(c, s, travel, weights, parameters, points, rows, floor, f, r, knots, h):
-    """Fill in thrusts f (2 K,), accelerations r (K,) and rows h (R,); return objective and the travel's equations."""
+def partial_weights(u):
+    """Weights (4,) of the accelerations at a segment's points, in the double integral from its start to the share u."""
+    x = (POINTS[0], POINTS[1], POINTS[2], 1.0)
+    weights = np.empty(4)
+    for q in range(4):
+        a, b, c = x[(q + 1) % 4], x[(q + 2) % 4], x[(q + 3) % 4]
+        scale = (x[q] - a) * (x[q] - b) * (x[q] - c)
+        # the integral of (u - v) v^n is u^(n+2) / ((n + 1) (n + 2))
+        cubic, square, linear, constant = 1.0, -(a + b + c), a * b + b * c + c * a, -a * b * c
+        weights[q] = u**2 * (constant / 2.0 + u * (linear / 6.0 + u * (square / 12.0 + u * cubic / 20.0))) / scale
+    return weights
+
+
+def angle_at(j, u, r, T, damping, knots):
+    """Travel angle at the share u of the segment j; damping within the segment acts on the rate only."""
+    segments, weights = knots.shape[1] - 1, partial_weights(u)
+    _, carry = arrival(u * T / segments, damping)
+    angle = knots[1, j] + carry * knots[0, j]
+    for q in range(4):
+        angle += (T / segments) ** 2 * weights[q] * r[3 * j + q]
+    return angle
+
+
+def crossing(travel, near, r, T, damping, knots):
+    """Segment and share at which the travel passes an angle, the passage nearest to the time `near`, as tau.
+
+    Without a passage: the point of the closest approach at a knot.
+    """
+    segments = knots.shape[1] - 1
+    best, found, share, closest = math.inf, 0, 0.0, math.inf
+    for j in range(segments):
+        if (knots[1, j] - travel) * (knots[1, j + 1] - travel) <= 0.0 and knots[1, j] != knots[1, j + 1]:
+            low, high = 0.0, 1.0
+            rising = knots[1, j + 1] > knots[1, j]
+            for _ in range(40):
+                middle = 0.5 * (low + high)
+                if (angle_at(j, middle, r, T, damping, knots) < travel) == rising:
+                    low = middle
+                else:
+                    high = middle
+            distance = abs((j + low) / segments - near)
+            if distance < best:
+                best, found, share = distance, j, low
+    if best < math.inf:
+        return found, share
+    for j in range(segments):
+        if abs(knots[1, j] - travel) < closest:
+            closest, found = abs(knots[1, j] - travel), j
+    return found, 0.0
+
+
+def evaluate(c, s, w, travel, weights, parameters, points, rows, targets, vias, floor, f, r, knots, places, h, e):
+    """Fill in thrusts f (2 K,), accelerations r (K,), rows h (R,) and equations e (E,); return the objective.
+
+    `places` (V, 2) receives segments and shares of the via points.
+    """
     B, first, tau, weight = points
     smooth, time_weight, effort, hover = weights
     root = math.sqrt(s)
-    T, damping = 1.0 / root, travel[4]
+    new_rate, new_angle, damping, loop = travel
+    T = 1.0 / root
     decay, advance = arrival(T, damping)
-    e1 = root * (travel[0] * decay - travel[2])
-    e2 = s * (travel[1] + travel[0] * advance - travel[3])
+    e1 = root * (w * (decay - loop) - new_rate)
+    e2 = s * (w * advance - new_angle)
     objective, z = -0.5 * time_weight * math.log(s), np.empty(6)
     for p in range(len(tau)):
         outputs(c, root, B, first, p, z)
@@ -197,7 +253,14 @@ def evaluate(c, s, travel, weights, parameters, points, rows, floor, f, r, knots
             objective += 0.5 * smooth[o] * (c[j + 3, o] - c[j, o] + 3.0 * (c[j + 1, o] - c[j + 2, o])) ** 2
     if len(h) > 0:
         rates, angles = knots[0], knots[1]
-        travel_along(r, s, travel, points, rates, angles)
+        travel_along(r, s, w, damping, points, rates, angles)
+        for v in range(len(vias)):
+            if vias[v, 0] >= 0.0:
+                j = min(int(vias[v, 0] * (len(c) - 3)), len(c) - 4)
+                places[v, 0], places[v, 1] = j, vias[v, 0] * (len(c) - 3) - j
+            else:
+                j, share = crossing(vias[v, 1], -vias[v, 0] - 1.0, r, T, damping, knots)
+                places[v, 0], places[v, 1] = j, share
         for n in range(len(h)):
             kind, k = rows[n, 0], rows[n, 1]
             if kind == ELEVATION:
@@ -210,24 +273,92 @@ def evaluate(c, s, travel, weights, parameters, points, rows, floor, f, r, knots
                 h[n] = (c[k, 0] + 4.0 * c[k + 1, 0] + c[k + 2, 0]) / 6.0 - floor_at(angles[k], floor)[0]
             elif kind == SLEW:
                 h[n] = root * (f[k + 2] - f[k]) / (tau[k // 2 + 1] - tau[k // 2])
-    return objective, e1, e2
+            elif kind == LEAD:
+                h[n] = f[k + 2] + targets[n] * root * (f[k + 2] - f[k]) / (tau[k // 2 + 1] - tau[k // 2])
+            elif kind == END:
+                h[n] = end_value(c, s, k) - targets[n] * T ** (k % 3)
+            elif kind == VIA_TRAVEL:
+                h[n] = angle_at(int(places[k, 0]), places[k, 1], r, T, damping, knots) - vias[k, 1]
+            else:
+                h[n] = elevation_at(c, int(places[k, 0]), places[k, 1], 0) - vias[k, 2]
+    e[0], e[1] = e1, e2
+    for q in range(2, len(e)):
+        e[q] = h[len(h) - len(e) + q]
+    return objective
+
+
+def end_value(c, s, k):
+    """Row of the kind END without its target: a derivative by tau at an end, or its difference between the ends."""
+    order, output, segments = k % 3, (k // 3) % 2, len(c) - 3
+    total = 0.0
+    for i in range(3):
+        weight = segments**order * ENDS[order][i]
+        if k < GOAL:
+            total += weight * c[i, output]
+        elif k < LOOP:
+            total += weight * c[segments + i, output]
+        else:
+            total += weight * (c[segments + i, output] - c[i, output])
+    return total
+
+
+def elevation_at(c, j, u, order):
+    """Elevation, or its derivative by the share, at the share u of the segment j."""
+    values = basis(u)[order]
+    return values[0] * c[j, 0] + values[1] * c[j + 1, 0] + values[2] * c[j + 2, 0] + values[3] * c[j + 3, 0]
+
+
+def crossing_slope(c, k, r, T, damping, knots, places):
+    """Change of the elevation with the travel at a via point without a time, along the flight."""
+    j, u = int(places[k, 0]), places[k, 1]
+    low, high = max(0.0, u - 0.01), min(1.0, u + 0.01)
+    turn = angle_at(j, high, r, T, damping, knots) - angle_at(j, low, r, T, damping, knots)
+    rise = elevation_at(c, j, u, 1) * (high - low)
+    return rise / turn if abs(turn) > 1e-3 * abs(rise) else 0.0
 
 
 def assemble(
-    c, s, y, stiffness, lam1, lam2, travel, weights, parameters, points, rows, floor, f, r, knots, F, M, G, g, J
+    c,
+    s,
+    w,
+    y,
+    stiffness,
+    lam,
+    travel,
+    weights,
+    parameters,
+    points,
+    lead,
+    rows,
+    targets,
+    vias,
+    floor,
+    f,
+    r,
+    knots,
+    places,
+    F,
+    M,
+    G,
+    g,
+    J,
+    es,
+    border,
 ):
     """Assemble first derivatives and the Hessian of the Lagrangian with the barrier of thrusts and rows.
 
     Fills in the thrusts' gradients F (2 K, 6) by `invert`'s arguments, the Hessian's lower band M (N, band) by the
-    coefficients, its border G (N, 3) with the gradients of the two equations, the objective's gradient g (N,) and the
-    rows' J (R, N + 1), the last column by s. Returns derivatives by s: the objective's first one without the duration
-    term, the second derivative, and the first ones of the equations.
+    coefficients, its border G (N, 2 + E) with the gradients of the equations, the objective's gradient g (N,), the
+    rows' J (R, N + 2), the last columns by s and w, the equations' derivatives es (E, 2) by s and w, and the Hessian
+    (2, 2) by s and w. Returns the objective's derivative by s without the duration term. `lead` is the number of fixed
+    coefficients at the start.
     """
     B, first, tau, weight = points
     smooth, time_weight, effort, hover = weights
-    unknowns, count, segments = len(g), len(tau), len(c) - 3
+    unknowns, count, segments, equations = len(g), len(tau), len(c) - 3, len(lam)
     root = math.sqrt(s)
-    T, damping = 1.0 / root, travel[4]
+    new_rate, new_angle, damping, loop = travel
+    T, lam1, lam2 = 1.0 / root, lam[0], lam[1]
     M[:] = 0.0
     G[:] = 0.0
     g[:] = 0.0
@@ -240,23 +371,29 @@ def assemble(
         np.zeros(6),
         np.zeros((3, 4)),
     )
-    has_rows = len(rows) > 0
+    has_rows, bounded = len(rows) > 0, len(rows) - equations + 2
     R, R_s = np.empty((count if has_rows else 0, 8)), np.empty(count if has_rows else 0)
     on_travel, on_travel_s, on_thrusts = np.zeros(count), np.zeros(count), np.zeros(2 * count)
     if has_rows:
-        on_rows = y[2 * count + segments - 3 :]
-        pull_on_travel(on_rows, s, travel, points, rows, floor, knots, on_travel, on_travel_s)
+        on_rows, offset = np.empty(len(rows)), len(y) - bounded
         for q in range(len(rows)):
-            if rows[q, 0] == SLEW:
+            on_rows[q] = y[offset + q] if q < bounded else lam[q - bounded + 2]
+        pull_on_travel(c, on_rows, s, damping, points, rows, vias, floor, r, knots, places, on_travel, on_travel_s)
+        for q in range(len(rows)):
+            if rows[q, 0] == SLEW or rows[q, 0] == LEAD:
                 k = rows[q, 1]
-                pulled = on_rows[q] * root / (tau[k // 2 + 1] - tau[k // 2])
-                on_thrusts[k + 2] += pulled
+                scale = targets[q] if rows[q, 0] == LEAD else 1.0
+                pulled = scale * on_rows[q] * root / (tau[k // 2 + 1] - tau[k // 2])
+                on_thrusts[k + 2] += pulled + (on_rows[q] if rows[q, 0] == LEAD else 0.0)
                 on_thrusts[k] -= pulled
     ss, gs = 0.5 * time_weight / s**2, 0.0
+    border[:] = 0.0
     decay, advance = arrival(T, damping)
-    es1 = (travel[0] * decay * (1.0 + damping * T) - travel[2]) * 0.5 / root
-    es2 = travel[1] - travel[3] + travel[0] * (advance - 0.5 * T * decay)
-    ss -= lam1 * (travel[0] - travel[2]) * 0.25 / (s * root) + lam2 * 0.25 * travel[0] / (s * root)
+    es1 = (w * (decay * (1.0 + damping * T) - loop) - new_rate) * 0.5 / root
+    es2 = w * (advance - 0.5 * T * decay) - new_angle
+    ss -= lam1 * (w * (1.0 - loop) - new_rate) * 0.25 / (s * root) + lam2 * 0.25 * w / (s * root)
+    es[0, 1], es[1, 1] = root * (decay - loop), s * advance
+    sw = lam1 * 0.5 * (decay * (1.0 + damping * T) - loop) / root + lam2 * (advance - 0.5 * T * decay)
     for p in range(count):
         outputs(c, root, B, first, p, z)
         derivatives(z, parameters, D, H)
@@ -301,7 +438,7 @@ def assemble(
             R_s[p] = r_s
         for i in range(4):
             along[0, i], along[1, i], along[2, i] = B[p, 0, i], root * B[p, 1, i], s * B[p, 2, i]
-        base = 2 * (first[p] - 3)
+        base = 2 * (first[p] - lead)
         for i in range(8):  # coefficient i // 2 of output i % 2
             n, o, k = base + i, 3 * (i % 2), i // 2
             by_c = along[0, k], along[1, k], along[2, k]
@@ -313,8 +450,8 @@ def assemble(
                     Q[i, a] = by_c[0] * L[o, a] + by_c[1] * L[o + 1, a] + by_c[2] * L[o + 2, a]
                 G[n, 0] += by_c[0] * mixed[o] + by_c[1] * mixed[o + 1] + by_c[2] * mixed[o + 2]
                 G[n, 0] += 0.5 * by_c[1] / s * pull[o + 1] + by_c[2] / s * pull[o + 2] + by_eta_s * eta
-                G[n, 1] += w1 * eta
-                G[n, 2] += w2 * eta
+                G[n, BORDER] += w1 * eta
+                G[n, BORDER + 1] += w2 * eta
                 if effort > 0.0:
                     for a in range(3):
                         g[n] += by_c[a] * (push_f * F[2 * p, o + a] + push_b * F[2 * p + 1, o + a])
@@ -325,17 +462,19 @@ def assemble(
         for o in range(2):
             third = c[j + 3, o] - c[j, o] + 3.0 * (c[j + 1, o] - c[j + 2, o])
             for i in range(4):
-                n = 2 * (j + i - 3) + o
+                n = 2 * (j + i - lead) + o
                 if 0 <= n < unknowns:
                     g[n] += smooth[o] * THIRD[i] * third
                     for k in range(max(0, i - n // 2), i + 1):
                         M[n, 2 * (i - k)] += smooth[o] * THIRD[i] * THIRD[k]
     if has_rows:
-        differentiate_rows(c, s, travel, points, rows, floor, f, F, r, R, R_s, knots, J)
-        offset = 2 * count + segments - 3
-        for q in range(len(rows)):
+        differentiate_rows(c, s, damping, points, lead, rows, targets, vias, floor, f, F, r, R, R_s, knots, places, J)
+        offset = len(y) - bounded
+        for q in range(bounded):
             stiff = stiffness[offset + q]
             ss += stiff * J[q, unknowns] ** 2
+            sw += stiff * J[q, unknowns] * J[q, unknowns + 1]
+            border[1, 1] += stiff * J[q, unknowns + 1] ** 2
             begin = 0
             while begin < unknowns and J[q, begin] == 0.0:
                 begin += 1
@@ -343,16 +482,29 @@ def assemble(
                 push = stiff * J[q, n]
                 if push != 0.0:
                     G[n, 0] += push * J[q, unknowns]
+                    G[n, 1] += push * J[q, unknowns + 1]
                     for m in range(max(begin, n - M.shape[1] + 1), n + 1):
                         M[n, n - m] += push * J[q, m]
-    return gs, ss, es1, es2
+        for q in range(bounded, len(rows)):
+            k = q - bounded + 2
+            for n in range(unknowns):
+                G[n, BORDER + k] = J[q, n]
+            es[k, 0], es[k, 1] = J[q, unknowns], J[q, unknowns + 1]
+            if rows[q, 0] == END:
+                order = rows[q, 1] % 3
+                ss -= lam[k] * targets[q] * 0.25 * order * (order + 2) * T**order / s**2
+    es[0, 0], es[1, 0] = es1, es2
+    border[0, 0] += ss
+    border[0, 1] += sw
+    border[1, 0] += sw
+    return gs
 
 
-def pull_on_travel(y, s, travel, points, rows, floor, knots, on_travel, on_travel_s):
+def pull_on_travel(c, y, s, damping, points, rows, vias, floor, r, knots, places, on_travel, on_travel_s):
     """Accumulate the rows' multipliers y (R,) times the derivatives of the travel by its accelerations and by s."""
     _, _, tau, _ = points
     angles = knots[1]
-    segments, T, damping = len(angles) - 1, 1.0 / math.sqrt(s), travel[4]
+    segments, T = len(angles) - 1, 1.0 / math.sqrt(s)
     on_rate, on_angle = np.zeros(segments + 1), np.zeros(segments + 1)
     for n in range(len(rows)):
         kind, k = rows[n, 0], rows[n, 1]
@@ -360,6 +512,17 @@ def pull_on_travel(y, s, travel, points, rows, floor, knots, on_travel, on_trave
             on_rate[k] += y[n]
         elif kind == FLOOR:
             on_angle[k] -= y[n] * floor_at(angles[k], floor)[1]
+        elif kind in (VIA_TRAVEL, CROSSING):
+            pull = y[n]
+            if kind == CROSSING:
+                pull *= -crossing_slope(c, k, r, T, damping, knots, places)
+            j, u = int(places[k, 0]), places[k, 1]
+            weights = partial_weights(u)
+            on_angle[j] += pull
+            on_rate[j] += pull * arrival(u * T / segments, damping)[1]
+            for q in range(4):
+                on_travel[3 * j + q] += pull * (T / segments) ** 2 * weights[q]
+                on_travel_s[3 * j + q] -= pull * (T / segments) ** 2 * weights[q] / s
     keep, carry = arrival(T / segments, damping)
     for j in range(segments - 1, -1, -1):
         for q in range(4):
@@ -375,18 +538,24 @@ def pull_on_travel(y, s, travel, points, rows, floor, knots, on_travel, on_trave
         on_angle[j] += on_angle[j + 1]
 
 
-def differentiate_rows(c, s, travel, points, rows, floor, f, F, r, R, R_s, knots, J):
-    """Fill in the rows' derivatives J (R, N + 1) from those of accelerations, R (K, 8) by coefficients, R_s by s."""
+def differentiate_rows(c, s, damping, points, lead, rows, targets, vias, floor, f, F, r, R, R_s, knots, places, J):
+    """Fill in the rows' derivatives J (R, N + 2) from those of accelerations, R (K, 8) by coefficients, R_s by s."""
     _, first, tau, _ = points
     rates, angles = knots[0], knots[1]
-    segments, root, unknowns, damping = len(c) - 3, math.sqrt(s), J.shape[1] - 1, travel[4]
+    segments, root, unknowns = len(c) - 3, math.sqrt(s), J.shape[1] - BORDER
     T = 1.0 / root
     J[:] = 0.0
-    by_rate, by_angle = np.zeros((segments + 1, unknowns + 1)), np.zeros((segments + 1, unknowns + 1))
+    on_travel = False
+    for n in range(len(rows)):
+        kind = rows[n, 0]
+        on_travel = on_travel or kind in (TRAVEL_RATE, FLOOR, VIA_TRAVEL, CROSSING)
+    by_rate = np.zeros((segments + 1 if on_travel else 1, unknowns + BORDER))
+    by_angle = np.zeros((segments + 1 if on_travel else 1, unknowns + BORDER))
     keep, carry = arrival(T / segments, damping)
     T_s = -0.5 * T / s
-    for j in range(segments):
-        for n in range(unknowns + 1):
+    by_rate[0, unknowns + 1] = 1.0
+    for j in range(segments if on_travel else 0):
+        for n in range(unknowns + BORDER):
             by_rate[j + 1, n] = keep * by_rate[j, n]
             by_angle[j + 1, n] = by_angle[j, n] + carry * by_rate[j, n]
         by_rate[j + 1, unknowns] -= T_s * damping / segments * keep * rates[j]
@@ -396,7 +565,7 @@ def differentiate_rows(c, s, travel, points, rows, floor, f, F, r, R, R_s, knots
             left = T * ((j + 1.0) / segments - tau[p])
             decay, advance = arrival(left, damping)
             share = SHARES[q] / segments
-            base = 2 * (first[p] - 3)
+            base = 2 * (first[p] - lead)
             for i in range(8):
                 if 0 <= base + i < unknowns:
                     by_rate[j + 1, base + i] += T * share * decay * R[p, i]
@@ -406,47 +575,81 @@ def differentiate_rows(c, s, travel, points, rows, floor, f, F, r, R, R_s, knots
     for n in range(len(rows)):
         kind, k = rows[n, 0], rows[n, 1]
         if kind == ELEVATION:
-            J[n, 2 * (k - 3)] = 1.0
+            J[n, 2 * (k - lead)] = 1.0
         elif kind == ELEVATION_RATE:
             for i in range(2):
-                if 0 <= 2 * (k + i - 3) < unknowns:
-                    J[n, 2 * (k + i - 3)] = segments * root * (2.0 * i - 1.0)
+                if 0 <= 2 * (k + i - lead) < unknowns:
+                    J[n, 2 * (k + i - lead)] = segments * root * (2.0 * i - 1.0)
             J[n, unknowns] = 0.5 * segments / root * (c[k + 1, 0] - c[k, 0])
         elif kind == TRAVEL_RATE:
-            for m in range(unknowns + 1):
+            for m in range(unknowns + BORDER):
                 J[n, m] = by_rate[k, m]
         elif kind == FLOOR:
             slope = floor_at(angles[k], floor)[1]
-            for m in range(unknowns + 1):
+            for m in range(unknowns + BORDER):
                 J[n, m] = -slope * by_angle[k, m]
             for i in range(3):
-                if 0 <= 2 * (k + i - 3) < unknowns:
-                    J[n, 2 * (k + i - 3)] += KNOT[i]
-        elif kind == SLEW:
+                if 0 <= 2 * (k + i - lead) < unknowns:
+                    J[n, 2 * (k + i - lead)] += KNOT[i]
+        elif kind in (SLEW, LEAD):
             scale = root / (tau[k // 2 + 1] - tau[k // 2])
-            add_thrust(c, s, points, F, k + 2, scale, J[n])
-            add_thrust(c, s, points, F, k, -scale, J[n])
+            if kind == LEAD:
+                scale *= targets[n]
+            add_thrust(c, s, points, lead, F, k + 2, scale + (1.0 if kind == LEAD else 0.0), J[n])
+            add_thrust(c, s, points, lead, F, k, -scale, J[n])
             J[n, unknowns] += 0.5 * scale / s * (f[k + 2] - f[k])
+        elif kind == END:
+            order, output = k % 3, (k // 3) % 2
+            for i in range(3):
+                weight = segments**order * ENDS[order][i]
+                m = 2 * (i - lead) + output
+                if (k < GOAL or k >= LOOP) and 0 <= m < unknowns:
+                    J[n, m] += -weight if k >= LOOP else weight
+                m = 2 * (segments + i - lead) + output
+                if k >= GOAL and 0 <= m < unknowns:
+                    J[n, m] += weight
+            J[n, unknowns] = 0.5 * order * targets[n] * T**order / s
+        else:
+            j, u = int(places[k, 0]), places[k, 1]
+            if kind != VIA_ELEVATION:
+                by_travel = 1.0 if kind == VIA_TRAVEL else -crossing_slope(c, k, r, T, damping, knots, places)
+                weights, (_, carried) = partial_weights(u), arrival(u * T / segments, damping)
+                for m in range(unknowns + BORDER):
+                    J[n, m] += by_travel * (by_angle[j, m] + carried * by_rate[j, m])
+                J[n, unknowns] += by_travel * T_s * u / segments * rates[j]
+                for q in range(4):
+                    p = 3 * j + q
+                    weight = by_travel * (T / segments) ** 2 * weights[q]
+                    base = 2 * (first[p] - lead)
+                    for i in range(8):
+                        if 0 <= base + i < unknowns:
+                            J[n, base + i] += weight * R[p, i]
+                    J[n, unknowns] += weight * (R_s[p] - r[p] / s)
+            if kind != VIA_TRAVEL:
+                values = basis(u)[0]
+                for i in range(4):
+                    if 0 <= 2 * (j + i - lead) < unknowns:
+                        J[n, 2 * (j + i - lead)] += values[i]
 
 
-def add_thrust(c, s, points, F, k, scale, row):
-    """Add to a row (N + 1,) the derivatives of the k-th thrust by the coefficients and by s, times `scale`."""
+def add_thrust(c, s, points, lead, F, k, scale, row):
+    """Add to a row (N + 2,) the derivatives of the k-th thrust by the coefficients and by s, times `scale`."""
     B, first, _, _ = points
-    p, root, z, unknowns = k // 2, math.sqrt(s), np.empty(6), len(row) - 1
+    p, root, z, unknowns = k // 2, math.sqrt(s), np.empty(6), len(row) - BORDER
     outputs(c, root, B, first, p, z)
     row[unknowns] += scale * (0.5 * (F[k, 1] * z[1] + F[k, 4] * z[4]) + F[k, 2] * z[2] + F[k, 5] * z[5]) / s
     for i in range(4):
-        n = 2 * (first[p] + i - 3)
+        n = 2 * (first[p] + i - lead)
         if 0 <= n < unknowns:
             for o in range(2):
                 by_c = B[p, 0, i] * F[k, 3 * o] + root * B[p, 1, i] * F[k, 3 * o + 1] + s * B[p, 2, i] * F[k, 3 * o + 2]
                 row[n + o] += scale * by_c
 
 
-def vjp(force, F, J, c, s, points, g):
-    """Add to g the vector-Jacobian product of `force` with thrusts and rows; return its entry for s."""
+def vjp(force, F, J, c, s, points, lead, g):
+    """Add to g the vector-Jacobian product of `force` with thrusts and rows; return its entries for s and w."""
     B, first, tau, _ = points
-    by_s, z, n_ = 0.0, np.empty(6), np.empty(6)
+    by_s, by_w, z, n_ = 0.0, 0.0, np.empty(6), np.empty(6)
     root, unknowns = math.sqrt(s), len(g)
     for p in range(len(tau)):
         outputs(c, root, B, first, p, z)
@@ -454,7 +657,7 @@ def vjp(force, F, J, c, s, points, g):
             n_[a] = force[2 * p] * F[2 * p, a] + force[2 * p + 1] * F[2 * p + 1, a]
         by_s += (0.5 * (n_[1] * z[1] + n_[4] * z[4]) + n_[2] * z[2] + n_[5] * z[5]) / s
         for i in range(4):
-            n = 2 * (first[p] + i - 3)
+            n = 2 * (first[p] + i - lead)
             if 0 <= n < unknowns:
                 g[n] += B[p, 0, i] * n_[0] + root * B[p, 1, i] * n_[1] + s * B[p, 2, i] * n_[2]
                 g[n + 1] += B[p, 0, i] * n_[3] + root * B[p, 1, i] * n_[4] + s * B[p, 2, i] * n_[5]
@@ -463,11 +666,12 @@ def vjp(force, F, J, c, s, points, g):
         for n in range(unknowns):
             g[n] += force[offset + q] * J[q, n]
         by_s += force[offset + q] * J[q, unknowns]
-    return by_s
+        by_w += force[offset + q] * J[q, unknowns + 1]
+    return by_s, by_w
 
 
-def jvp(dx, ds, F, J, c, s, points, df):
-    """Add to df the Jacobian-vector product: changes of thrusts (2 K,) and rows for steps of coefficients and s."""
+def jvp(dx, ds, dw, F, J, c, s, points, lead, df):
+    """Add to df the Jacobian-vector product: changes of thrusts (2 K,) and rows for steps of coefficients, s and w."""
     B, first, tau, _ = points
     z, d = np.empty(6), np.empty(6)
     root, unknowns = math.sqrt(s), len(dx)
@@ -476,7 +680,7 @@ def jvp(dx, ds, F, J, c, s, points, df):
         d[0], d[1], d[2] = 0.0, 0.5 * ds * z[1] / s, ds * z[2] / s
         d[3], d[4], d[5] = 0.0, 0.5 * ds * z[4] / s, ds * z[5] / s
         for i in range(4):
-            n = 2 * (first[p] + i - 3)
+            n = 2 * (first[p] + i - lead)
             if 0 <= n < unknowns:
                 for o in range(2):
                     d[3 * o] += B[p, 0, i] * dx[n + o]
@@ -489,7 +693,7 @@ def jvp(dx, ds, F, J, c, s, points, df):
     for q in range(len(J)):
         for n in range(unknowns):
             df[offset + q] += J[q, n] * dx[n]
-        df[offset + q] += J[q, unknowns] * ds
+        df[offset + q] += J[q, unknowns] * ds + J[q, unknowns + 1] * dw
 
 
 def factorise(M, damping, L):
@@ -527,59 +731,77 @@ def substitute(L, b):
             b[i, q] = value / L[i, 0]
 
 
-def schur_step(G, columns, g, ss, gs, es, e, fixed):
-    """Step of s and new multipliers (3,), given columns = M^-1 (G, -g); NaN if the step is not a descent direction.
+def schur_step(G, columns, g, border, gb, es, e, is_free, step):
+    """Fill in the step (2 + E,): steps of s and w, and new multipliers; return whether it is a descent direction.
 
-    The 3 x 3 Schur complement must have two negative eigenvalues and a positive one.
+    columns (N, 3 + E) = M^-1 (G, -g). The Schur complement of the coefficients must be negative definite for the
+    multipliers, and that of both positive definite for s and w.
     """
-    S, rhs = np.zeros((3, 3)), np.zeros(3)
+    size, last = G.shape[1], G.shape[1]
+    S, rhs = np.zeros((size, size)), np.zeros(size)
     for n in range(len(g)):
-        for i in range(3):
-            rhs[i] -= G[n, i] * columns[n, 3]
-            for j in range(3):
-                S[i, j] -= G[n, i] * columns[n, j]
-    for i in range(2):
-        S[0, 1 + i] += es[i]
-        S[1 + i, 0] += es[i]
-        rhs[1 + i] -= e[i]
-    S[0, 0] += ss
-    rhs[0] -= gs
-    if fixed:
-        for i in range(3):
-            S[0, i] = S[i, 0] = 0.0
-        S[0, 0], rhs[0] = 1.0, 0.0
-    cofactors = np.empty((3, 3))
-    for i in range(3):
-        for j in range(3):
-            i1, i2, j1, j2 = (i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3
-            cofactors[i, j] = S[i1, j1] * S[i2, j2] - S[i1, j2] * S[i2, j1]
-    determinant = S[0, 0] * cofactors[0, 0] + S[0, 1] * cofactors[0, 1] + S[0, 2] * cofactors[0, 2]
-    if not determinant > 0.0:
-        return math.nan, 0.0, 0.0
-    border = np.zeros(3)
-    for i in range(3):
-        for j in range(3):
-            border[i] += cofactors[i, j] * rhs[j] / determinant
-    return border[0], border[1], border[2]
+        for i in range(size):
+            if G[n, i] != 0.0:
+                rhs[i] -= G[n, i] * columns[n, last]
+                for j in range(size):
+                    S[i, j] -= G[n, i] * columns[n, j]
+    for i in range(BORDER):
+        rhs[i] -= gb[i]
+        for j in range(BORDER):
+            S[i, j] += border[i, j]
+        for k in range(len(e)):
+            S[i, BORDER + k] += es[k, i]
+            S[BORDER + k, i] += es[k, i]
+    for k in range(len(e)):
+        rhs[BORDER + k] -= e[k]
+    for i in range(BORDER):
+        if not is_free[i]:
+            for j in range(size):
+                S[i, j] = S[j, i] = 0.0
+            S[i, i], rhs[i] = 1.0, 0.0
+    # elimination without pivoting, from the last equation to s: pivots must be negative, then positive
+    for k in range(size - 1, -1, -1):
+        pivot = -S[k, k] if k >= BORDER else S[k, k]
+        if not pivot > TINY:
+            return False
+        for i in range(k):
+            ratio = S[i, k] / S[k, k]
+            if ratio != 0.0:
+                rhs[i] -= ratio * rhs[k]
+                for j in range(k):
+                    S[i, j] -= ratio * S[k, j]
+    for i in range(size):
+        value = rhs[i]
+        for j in range(i):
+            value -= S[i, j] * step[j]
+        step[i] = value / S[i, i]
+    return True
 
 
-def newton_step(M, G, g, ss, gs, es, e, fixed, damping, columns, L, dx):
-    """Fill in the step dx (N,) of the coefficients; return the step of s, the new multipliers and the damping.
+def newton_step(M, G, g, border, gb, es, e, is_free, damping, columns, L, dx, step):
+    """Fill in the step dx (N,) of the coefficients and the one of `schur_step`; return the damping.
 
     The damping is raised until the Hessian is positive definite, so that the step is a descent direction.
     """
+    size = G.shape[1]
     while damping < MOST_DAMPING:
         if factorise(M, damping, L):
             for n in range(len(g)):
-                columns[n, 0], columns[n, 1], columns[n, 2], columns[n, 3] = G[n, 0], G[n, 1], G[n, 2], -g[n]
+                for i in range(size):
+                    columns[n, i] = G[n, i]
+                columns[n, size] = -g[n]
             substitute(L, columns)
-            ds, lam1, lam2 = schur_step(G, columns, g, ss + damping, gs, es, e, fixed)
-            if not math.isnan(ds):
+            damped = border.copy()
+            for i in range(BORDER):
+                damped[i, i] += damping
+            if schur_step(G, columns, g, damped, gb, es, e, is_free, step):
                 for n in range(len(g)):
-                    dx[n] = columns[n, 3] - ds * columns[n, 0] - lam1 * columns[n, 1] - lam2 * columns[n, 2]
-                return ds, lam1, lam2, damping
+                    dx[n] = columns[n, size]
+                    for i in range(size):
+                        dx[n] -= step[i] * columns[n, i]
+                return damping
         damping = max(DAMPING, 8.0 * damping)
-    return 0.0, 0.0, 0.0, damping
+    return damping
 
 
 def barrier(w, low, high):
@@ -634,92 +856,138 @@ def kkt_residual(mu, w, low, high, zl, zu, r, gradient):
     return missed, residual / max(1.0, 0.1 * total / len(w))
 
 
-def solve(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu, last_mu, tolerance, iterations):
+def solve(
+    c,
+    s,
+    w,
+    held,
+    travel,
+    low,
+    high,
+    rows,
+    targets,
+    vias,
+    floor,
+    parameters,
+    weights,
+    is_free,
+    mu,
+    last_mu,
+    tolerance,
+    iterations,
+):
     """Minimise the objective while the barrier parameter decreases from mu to last_mu.
 
     Args:
-        c, s: guess of the coefficients (M, 2) in rad, three fixed at each end, and of 1/T² in 1/s².
-        travel: rate and angle at the start, rate and angle at the goal, and damping: rad/s, rad, rad/s, rad, 1/s.
-        low, high: bounds of thrusts in N (2 K,), pitch coefficients in rad (M - 6,) and rows (R,).
-        rows: kind and index (R, 2) of further quantities with bounds.
+        c, s, w: guess of the coefficients (M, 2) in rad, of 1/T² in 1/s², and of the initial travel rate in rad/s.
+        held: numbers of fixed coefficients at the start and at the goal.
+        travel: rate and angle at the goal, damping, and 1 for a periodic flight, otherwise 0: rad/s, rad, 1/s. The
+            travel starts at zero; a periodic flight's rate at the goal is relative to the initial one.
+        low, high: bounds of thrusts in N (2 K,), free pitch coefficients in rad and rows.
+        rows: kind and index (R, 2) of further quantities: first those with bounds, then equations.
+        targets: (R,) values of rows of the kind END, lag in s of the kind LEAD.
+        vias: (V, 3) time as tau, travel and elevation of via points; a free time is -1 minus its estimate.
         floor: travel and elevation (2, N) in rad, for rows of the kind FLOOR.
         parameters: parameters of the helicopter.
         weights: of squared third differences of the coefficients (2,), of the logarithm of the duration, and of the
             mean squared distance of the thrusts from hover; then the hover thrusts in N.
-        is_free: whether s may change.
+        is_free: whether s may change, and whether w may.
         tolerance: of equations and bounds in N and rad/s²; that of optimality is last_mu.
         iterations: largest number.
 
     Returns:
-        Whether it converged, number of iterations, c, s, and multipliers of the lower and upper bounds (2, ...).
+        Whether it converged, number of iterations, c, s, w, and multipliers of the lower and upper bounds (2, ...).
     """
-    segments, fixed, time_weight = len(c) - 3, not is_free, weights[1]
-    points, free = tables(segments), segments - 3
+    segments, time_weight, lead = len(c) - 3, weights[1], held[0]
+    points, free = tables(segments), segments + 3 - lead - held[1]
     count, unknowns = 2 * (3 * segments + 1), 2 * free
     size, offset = len(low), count + free
-    w, dw, new_w, r = np.empty(size), np.empty(size), np.empty(size), np.zeros(size)
+    bounded = size - offset
+    equations = 2 + len(rows) - bounded
+    v, dv, new_v, r = np.empty(size), np.empty(size), np.empty(size), np.zeros(size)
     zl, zu, dzl, dzu = np.empty(size), np.empty(size), np.empty(size), np.empty(size)
     y, stiffness, force = np.empty(size), np.empty(size), np.empty(size)
     g, direct, dx = np.empty(unknowns), np.empty(unknowns), np.empty(unknowns)
     f, F, h = np.empty(count), np.empty((count, 6)), np.empty(len(rows))
-    band = BAND if len(rows) == 0 else LOCAL_BAND
-    for q in range(len(rows)):
+    band = BAND if bounded == 0 else LOCAL_BAND
+    for q in range(bounded):
         if rows[q, 0] == TRAVEL_RATE or rows[q, 0] == FLOOR:
             band = unknowns
     M = np.empty((unknowns, band))
-    L, J = np.zeros(M.shape), np.empty((len(rows), unknowns + 1))
-    G, columns = np.empty((unknowns, 3)), np.empty((unknowns, 4))
-    acceleration, knots = np.empty(count // 2), np.empty((2, segments + 1))
+    L, J = np.zeros(M.shape), np.zeros((len(rows), unknowns + BORDER))
+    G, columns = np.empty((unknowns, BORDER + equations)), np.empty((unknowns, BORDER + equations + 1))
+    step, border, gb = np.zeros(BORDER + equations), np.zeros((BORDER, BORDER)), np.zeros(BORDER)
+    e, es, lam = np.zeros(equations), np.zeros((equations, BORDER)), np.zeros(equations)
+    acceleration, knots, places = np.empty(count // 2), np.empty((2, segments + 1)), np.zeros((len(vias), 2))
     c, new_c = c.copy(), c.copy()
     for i in range(free):
         inside = CLOSEST * (high[count + i] - low[count + i])
-        w[count + i] = c[3 + i, 1] = min(max(c[3 + i, 1], low[count + i] + inside), high[count + i] - inside)
-    objective, e1, e2 = evaluate(c, s, travel, weights, parameters, points, rows, floor, f, acceleration, knots, h)
+        v[count + i] = c[lead + i, 1] = min(max(c[lead + i, 1], low[count + i] + inside), high[count + i] - inside)
+    objective = evaluate(
+        c, s, w, travel, weights, parameters, points, rows, targets, vias, floor, f, acceleration, knots, places, h, e
+    )
     for k in range(size):
         if k < count or k >= offset:
             value = f[k] if k < count else h[k - offset]
             inside = CLOSEST * (high[k] - low[k])
-            w[k] = min(max(value, low[k] + inside), high[k] - inside)
-        zl[k], zu[k], r[k] = mu / (w[k] - low[k]), mu / (high[k] - w[k]), 0.0
+            v[k] = min(max(value, low[k] + inside), high[k] - inside)
+        zl[k], zu[k], r[k] = mu / (v[k] - low[k]), mu / (high[k] - v[k]), 0.0
 
-    lam1, lam2, damping, penalty, converged, taken = 0.0, 0.0, 0.0, 1.0, False, 0
+    damping, penalty, converged, taken = 0.0, 1.0, False, 0
     while taken < iterations:
         for k in range(count):
-            r[k] = f[k] - w[k]
-        for k in range(len(h)):
-            r[offset + k] = h[k] - w[offset + k]
-        duals(mu, w, low, high, zl, zu, r, y, stiffness, force)
-        direct_s, ss, es1, es2 = assemble(
+            r[k] = f[k] - v[k]
+        for k in range(bounded):
+            r[offset + k] = h[k] - v[offset + k]
+        duals(mu, v, low, high, zl, zu, r, y, stiffness, force)
+        direct_s = assemble(
             c,
             s,
+            w,
             y,
             stiffness,
-            lam1,
-            lam2,
+            lam,
             travel,
             weights,
             parameters,
             points,
+            lead,
             rows,
+            targets,
+            vias,
             floor,
             f,
             acceleration,
             knots,
+            places,
             F,
             M,
             G,
             direct,
             J,
+            es,
+            border,
         )
         direct_s -= 0.5 * time_weight / s
         for i in range(unknowns):
-            g[i] = direct[i] + lam1 * G[i, 1] + lam2 * G[i, 2]
-        gs = vjp(y, F, J, c, s, points, g) + direct_s + lam1 * es1 + lam2 * es2
+            g[i] = direct[i]
+            for k in range(equations):
+                g[i] += lam[k] * G[i, BORDER + k]
+        gs, gw = vjp(y, F, J[:bounded], c, s, points, lead, g)
+        gs += direct_s
+        for k in range(equations):
+            gs += lam[k] * es[k, 0]
+            gw += lam[k] * es[k, 1]
         for i in range(free):
             g[2 * i + 1] += y[count + i]
             M[2 * i + 1, 0] += stiffness[count + i]
-        missed, residual = kkt_residual(mu, w, low, high, zl, zu, r, g)
-        missed, residual = max(missed, abs(e1), abs(e2)), residual if fixed else max(residual, s * abs(gs))
+        missed, residual = kkt_residual(mu, v, low, high, zl, zu, r, g)
+        for k in range(equations):
+            missed = max(missed, abs(e[k]))
+        if is_free[0]:
+            residual = max(residual, s * abs(gs))
+        if is_free[1]:
+            residual = max(residual, abs(gw))
         error = max(missed, residual)
         if mu <= last_mu and missed < tolerance and error < 10.0 * mu:
             converged = True
@@ -728,72 +996,109 @@ def solve(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu
         while mu > last_mu and error < 10.0 * mu:
             mu = max(last_mu, min(0.2 * mu, mu**1.5))
 
-        duals(mu, w, low, high, zl, zu, r, y, stiffness, force)
+        duals(mu, v, low, high, zl, zu, r, y, stiffness, force)
         for i in range(unknowns):
             g[i] = direct[i]
-        gs = vjp(force, F, J, c, s, points, g) + direct_s
+        gs, gw = vjp(force, F, J[:bounded], c, s, points, lead, g)
+        gb[0], gb[1] = gs + direct_s, gw
         for i in range(free):
             g[2 * i + 1] += force[count + i]
         damping = damping / 8.0 if damping > DAMPING else 0.0
-        ds, new_lam1, new_lam2, damping = newton_step(
-            M, G, g, ss, gs, (es1, es2), (e1, e2), fixed, damping, columns, L, dx
-        )
+        damping = newton_step(M, G, g, border, gb, es, e, is_free, damping, columns, L, dx, step)
         if damping >= MOST_DAMPING:
             break
+        ds, dw = step[0], step[1]
         for k in range(size):
-            dw[k] = r[k]
-        jvp(dx, ds, F, J, c, s, points, dw)
+            dv[k] = r[k]
+        jvp(dx, ds, dw, F, J[:bounded], c, s, points, lead, dv)
         for i in range(free):
-            dw[count + i] = dx[2 * i + 1]
-        step, dual = dual_step(mu, w, dw, low, high, zl, zu, dzl, dzu)
-        if not fixed:
-            step = min(step, 0.5 * s / max(abs(ds), TINY))
+            dv[count + i] = dx[2 * i + 1]
+        length, dual = dual_step(mu, v, dv, low, high, zl, zu, dzl, dzu)
+        if is_free[0]:
+            length = min(length, 0.5 * s / max(abs(ds), TINY))
 
-        missing, slope = abs(e1) + abs(e2), direct_s * ds
+        missing, slope = 0.0, direct_s * ds
+        for k in range(equations):
+            missing += abs(e[k])
         for i in range(unknowns):
             slope += direct[i] * dx[i]
         for k in range(size):
             missing += abs(r[k])
-            slope += (force[k] - stiffness[k] * r[k]) * dw[k]
+            slope += (force[k] - stiffness[k] * r[k]) * dv[k]
         if missing > tolerance:
             penalty = max(penalty, slope / (0.5 * missing))
-        before = objective + mu * barrier(w, low, high) + penalty * missing
+        before = objective + mu * barrier(v, low, high) + penalty * missing
         accepted = False
         for _ in range(BACKTRACKS):
-            new_s = s + step * ds
+            new_s, new_w = s + length * ds, w + length * dw
             for i in range(free):
-                new_c[3 + i, 0] = c[3 + i, 0] + step * dx[2 * i]
-                new_c[3 + i, 1] = c[3 + i, 1] + step * dx[2 * i + 1]
-            objective, e1, e2 = evaluate(
-                new_c, new_s, travel, weights, parameters, points, rows, floor, f, acceleration, knots, h
+                new_c[lead + i, 0] = c[lead + i, 0] + length * dx[2 * i]
+                new_c[lead + i, 1] = c[lead + i, 1] + length * dx[2 * i + 1]
+            objective = evaluate(
+                new_c,
+                new_s,
+                new_w,
+                travel,
+                weights,
+                parameters,
+                points,
+                rows,
+                targets,
+                vias,
+                floor,
+                f,
+                acceleration,
+                knots,
+                places,
+                h,
+                e,
             )
-            after = objective + penalty * (abs(e1) + abs(e2))
+            after = objective
+            for k in range(equations):
+                after += penalty * abs(e[k])
             for k in range(size):
-                new_w[k] = w[k] + step * dw[k]
+                new_v[k] = v[k] + length * dv[k]
                 if k < count:
-                    after += penalty * abs(f[k] - new_w[k])
+                    after += penalty * abs(f[k] - new_v[k])
                 elif k >= offset:
-                    after += penalty * abs(h[k - offset] - new_w[k])
-            after += mu * barrier(new_w, low, high)
-            if after <= before + SUFFICIENT * step * (slope - penalty * missing) + ROUNDING * abs(before):
+                    after += penalty * abs(h[k - offset] - new_v[k])
+            after += mu * barrier(new_v, low, high)
+            if after <= before + SUFFICIENT * length * (slope - penalty * missing) + ROUNDING * abs(before):
                 accepted = True
                 break
-            step *= 0.5
+            length *= 0.5
         if accepted:
-            s, c, new_c, w, new_w = new_s, new_c, c, new_w, w
-            lam1, lam2 = lam1 + step * (new_lam1 - lam1), lam2 + step * (new_lam2 - lam2)
+            s, w, c, new_c, v, new_v = new_s, new_w, new_c, c, new_v, v
+            for k in range(equations):
+                lam[k] += length * (step[BORDER + k] - lam[k])
             for k in range(size):
                 zl[k] += dual * dzl[k]
                 zu[k] += dual * dzu[k]
         else:  # repeat with more damping
-            objective, e1, e2 = evaluate(
-                c, s, travel, weights, parameters, points, rows, floor, f, acceleration, knots, h
+            objective = evaluate(
+                c,
+                s,
+                w,
+                travel,
+                weights,
+                parameters,
+                points,
+                rows,
+                targets,
+                vias,
+                floor,
+                f,
+                acceleration,
+                knots,
+                places,
+                h,
+                e,
             )
             damping = max(1.0, 64.0 * damping)
     multipliers = np.empty((2, size))
     for k in range(size):
         multipliers[0, k], multipliers[1, k] = zl[k], zu[k]
-    return converged, taken, c, s, multipliers
+    return converged, taken, c, s, w, multipliers
 
 
 def interpolate(c, duration, count):
@@ -830,9 +1135,47 @@ def thrusts_along(y, dy, ddy, parameters):
 CAREFUL = (solve, schur_step, newton_step, factorise, barrier, dual_step, duals, kkt_residual)
 
 
-def run(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu, last_mu, tolerance, iterations):
+def run(
+    c,
+    s,
+    w,
+    held,
+    travel,
+    low,
+    high,
+    rows,
+    targets,
+    vias,
+    floor,
+    parameters,
+    weights,
+    is_free,
+    mu,
+    last_mu,
+    tolerance,
+    iterations,
+):
     """Call `solve` from a compiled entry point, so that `solve` itself is compiled without fast-math."""
-    return solve(c, s, travel, low, high, rows, floor, parameters, weights, is_free, mu, last_mu, tolerance, iterations)
+    return solve(
+        c,
+        s,
+        w,
+        held,
+        travel,
+        low,
+        high,
+        rows,
+        targets,
+        vias,
+        floor,
+        parameters,
+        weights,
+        is_free,
+        mu,
+        last_mu,
+        tolerance,
+        iterations,
+    )
 
 
 @cache
