@@ -171,9 +171,10 @@ class Heli3DOFEnv(gym.Env):
     ## Rewards
 
     `control_period / (1 + e² + d²)` per step, where `e²` is the sum of the squared tracking errors, each in units of
-    its tolerance, and `d²` the sum of the squared voltage deviations from the nominal ones, in units of 6 V. The
-    tolerances are 3 degrees in travel and elevation, 6 degrees in pitch, and 6, 6 and 30 degrees/s in the rates.
-    A return thus counts seconds flown on the reference, 10 at best; continuing a flight always increases it.
+    its tolerance, and `d²` the sum of the squared voltage deviations from the nominal ones, in units of half the
+    amplifier's range, 6 V on the paper's rig. The tolerances are 3 degrees in travel and elevation, 6 degrees in
+    pitch, and 6, 6 and 30 degrees/s in the rates. A return thus counts seconds flown on the reference, 10 at best;
+    continuing a flight always increases it.
 
     ## Starting State
 

@@ -5,8 +5,21 @@ from typing import Any
 
 from heli_gym.flatness import replanned
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import DRAG_RATIO, NOMINAL_RIGS, PLANTS, Friction, OneOf, Plant, Uniform, find_plant, rotor_curves
-from heli_gym.rig import PAPER, Rig, check_same_rig, find_rig, same_dynamics
+from heli_gym.plant import (
+    DRAG_RATIO,
+    LAB_ROTORS,
+    NOMINAL_RIGS,
+    PLANTS,
+    Friction,
+    OneOf,
+    Plant,
+    Sensors,
+    Table,
+    Uniform,
+    find_plant,
+    rotor_curves,
+)
+from heli_gym.rig import PAPER, Rig, body_of_masses, check_same_rig, find_rig, same_dynamics
 from heli_gym.rigid_body import VARIANTS, solve_rigid_body
 from heli_gym.thrust_map import PowerCurve, ThrustMap
 from heli_gym.trajectory import Trajectory
@@ -15,29 +28,52 @@ TABLE_I = HelicopterParameters()
 
 
 def plant_on_rig(plant: str | Plant, rig: Rig) -> Plant:
-    """The plant with a rig's coefficients and thrust map; a plant with its own coefficients is returned unchanged.
+    """The plant on a rig: its coefficients and thrust map, unless the plant has its own, and its actuators and sensors.
 
-    "rigid" becomes the rigid bodies whose linearisation about hover has the rig's coefficients. Raises ValueError if
-    no such body exists.
+    Rotors like those of `lab` get the rig's delay, and a lag drawn around the rig's; encoders like those of `lab` its
+    counts, and a default table its elevation. "rigid" becomes the rigid body of the rig's masses or, for a rig without,
+    the rigid bodies whose linearisation about hover has its coefficients. Raises ValueError if no such body exists.
     """
     found = find_plant(plant)
-    if same_dynamics(rig, PAPER) or found.parameters != TABLE_I:
-        return found
-    changes: dict[str, Any] = {"parameters": rig.parameters}
-    if not rig.thrust_map.is_quadratic and found.thrust_map is None:
-        changes["thrust_map"] = rig.thrust_map
-    if found.rig == PLANTS["rigid"].rig:
-        try:
-            bodies = tuple(solve_rigid_body(variant, rig.parameters)._replace(kappa=DRAG_RATIO) for variant in VARIANTS)
-        except ValueError as error:
-            raise ValueError(f"plant = 'rigid': must be another on the rig {rig.name!r}, of whose {error}") from error
-        changes["rig"] = OneOf(bodies)
-        # the rigid-body equations lack the viscous friction of (3), so it moves into the plant's friction
-        changes["friction"] = Friction(
-            tuple(map(shift, found.friction.viscous, rig.parameters[-3:])),  # type: ignore[arg-type]
-            found.friction.coulomb,
-        )
-    return replace(found, **changes)
+    changes: dict[str, Any] = {}
+    if found.rotors == LAB_ROTORS:
+        lag = LAB_ROTORS.lag
+        share = rig.lag / PAPER.lag
+        changes["rotors"] = replace(LAB_ROTORS, lag=Uniform(share * lag.low, share * lag.high), delay=rig.delay)
+    if found.sensors == Sensors():
+        changes["sensors"] = Sensors(rig.encoder_counts)
+    if found.table == Table():
+        changes["table"] = Table(rig.table_elevation)
+    if not same_dynamics(rig, PAPER) and found.parameters == TABLE_I:
+        changes["parameters"] = rig.parameters
+        if not rig.thrust_map.is_quadratic and found.thrust_map is None:
+            changes["thrust_map"] = rig.thrust_map
+        if found.rig == PLANTS["rigid"].rig:
+            changes["rig"] = rigid_bodies(rig)
+            # the rigid-body equations lack the viscous friction of (3), so it moves into the plant's friction
+            changes["friction"] = Friction(
+                tuple(map(shift, found.friction.viscous, rig.parameters[-3:])),  # type: ignore[arg-type]
+                found.friction.coulomb,
+            )
+    return replace(found, **changes) if changes else found
+
+
+def rigid_bodies(rig: Rig) -> OneOf:
+    """Rigid bodies of a rig: the one of its masses or, without masses, those with its coefficients.
+
+    Raises ValueError, which names what to do, if there are none.
+    """
+    try:
+        if rig.mass_data is not None:
+            bodies: tuple = (body_of_masses(rig.mass_data),)
+        else:
+            bodies = tuple(solve_rigid_body(variant, rig.parameters) for variant in VARIANTS)
+    except ValueError as error:
+        raise ValueError(
+            f"plant = 'rigid': must be 'nominal' or 'lab' on the rig {rig.name!r}: no rigid body of the usual lengths "
+            "has its coefficients; a rig file with [masses] in place of [coefficients] has a rigid body of its own"
+        ) from error
+    return OneOf(tuple(body._replace(kappa=DRAG_RATIO) for body in bodies))
 
 
 def shift(value: Any, by: float) -> Any:
@@ -77,6 +113,9 @@ def reference_on_rig(reference: Any, rig: Rig, is_packaged: bool) -> Any:
         (low, high), within = rig.voltage_limits, rig.pitch_limit
         u, pitch = reference.u, reference.x[4]
         fits = low <= u.min() and u.max() <= high and abs(pitch).max() <= within
-        return reference if same_dynamics(reference.rig, rig) and fits else replanned(reference, rig)
-    check_same_rig("reference", reference.rig, rig, "the environment's")
-    return reference
+        if not (same_dynamics(reference.rig, rig) and fits):
+            return replanned(reference, rig)
+    else:
+        check_same_rig("reference", reference.rig, rig, "the environment's")
+    # with the same coefficients and thrust map, actuators and sensors may differ: controllers read them from here
+    return reference if reference.rig == rig else replace(reference, rig=rig)

@@ -22,7 +22,7 @@ from heli_gym.model import fan_thrusts, hover_input, inverse_dynamics, linearise
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.rendering import load_pygame
 from heli_gym.rig import PAPER, Rig
-from heli_gym.task import TOLERANCE
+from heli_gym.task import EFFORT_SHARE, TOLERANCE
 
 LIFT, ROLL = 1.5, 0.6  # V on each fan while a key is pressed
 FASTEST = np.array((0.9, 0.15))  # rad/s, travel and elevation rates of the set-point while a key is pressed
@@ -85,8 +85,7 @@ def hold_gain(rig: Rig = PAPER) -> np.ndarray:
     """
     parameters, (low, high) = rig.parameters, rig.voltage_limits
     A, B = linearise(np.zeros(6), hover_input(0.0, parameters), parameters)
-    # the thrust of half of the amplifier's range, which for the paper's rig is `task.EFFORT_TOLERANCE`
-    R = np.eye(2) / float(rig.thrust(np.full(2, 0.5 * (high - low)))[0]) ** 2
+    R = np.eye(2) / float(rig.thrust(np.full(2, EFFORT_SHARE * (high - low)))[0]) ** 2
     P = solve_continuous_are(A, B, np.diag(1.0 / np.square(TOLERANCE)), R)
     return np.linalg.solve(R, B.T @ P)
 
@@ -118,7 +117,8 @@ def mapping(env: gym.Env) -> tuple[dict[tuple[int, ...], np.ndarray], np.ndarray
     """Actions (2,), float32, of the arrow keys in an environment, and the action without a key."""
     rest = np.zeros(2, dtype=np.float32)  # hover, or no command to the feedback
     if isinstance(env, Assist):
-        commands = keyboard(rest, np.array((0.0, -1.0)), np.array((1.0, 0.0)))
+        up = np.sign(env.rig.parameters.b2)  # of the elevation, which is positive downwards where b2 < 0
+        commands = keyboard(rest, np.array((0.0, up)), np.array((1.0, 0.0)))
         return {keys: np.clip(command, -1.0, 1.0).astype(np.float32) for keys, command in commands.items()}, rest
     helicopter: Heli3DOFEnv = env.unwrapped  # type: ignore[assignment]
     hover = helicopter.hover_voltage

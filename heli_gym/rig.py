@@ -18,7 +18,7 @@ import tomli_w
 from heli_gym import model
 from heli_gym.model import hover_input
 from heli_gym.parameters import NO_COUPLING, Coupling, HelicopterParameters, Limits
-from heli_gym.rigid_body import solve_rigid_body
+from heli_gym.rigid_body import RigidBodyParameters, solve_rigid_body
 from heli_gym.storage import atomic_write
 from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustCurve, ThrustMap, is_number, require
 
@@ -106,6 +106,8 @@ class Rig:
         sensor_zeros: rad, likewise: angle = sign * (sensor's angle - zero).
         coupling: moments that (3) neglects. Plans and controllers do not use them; `Plant.from_rig` does.
         limits: limits of plans; by default they leave a reserve of voltage and pitch in the proportions of (9).
+        mass_data: masses and lengths from which the parameters follow, for the plant "rigid"; None if unknown, or
+            if the parameters are others.
         source: origin of the numbers.
 
     Raises:
@@ -127,6 +129,7 @@ class Rig:
     sensor_zeros: tuple[float, float, float] = (0.0, 0.0, 0.0)
     limits: Limits = None  # type: ignore[assignment]
     coupling: Coupling = NO_COUPLING
+    mass_data: Masses | None = None
     source: str = field(default="", compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -152,6 +155,11 @@ class Rig:
                 require(f"parameters.{name}", value, is_number(value) and value >= 0.0, "a number, at least 0")
             else:
                 require(f"parameters.{name}", value, True, "a number")
+        if self.mass_data is not None:
+            if not isinstance(self.mass_data, Masses):
+                raise ValueError(f"mass_data = {self.mass_data!r}: must be Masses or None")
+            if p._replace(**coefficients_from_masses(self.mass_data)) != p:
+                self._set("mass_data", None)
         self._check_coupling()
         self._check_actuator()
         self._check_sensors()
@@ -268,7 +276,7 @@ class Rig:
         if masses is None:
             masses = Masses(**{key: values.pop(key) for key in Masses._fields if key in values})
         parameters = values.pop("parameters", HelicopterParameters())._replace(**coefficients_from_masses(masses))
-        return cls(name, parameters, **values)
+        return cls(name, parameters, mass_data=masses, **values)
 
     def masses(
         self, arm: float, counterweight_arm: float, rotor_arm: float, gravity: float = GRAVITY, variant: str = "A"
@@ -316,7 +324,7 @@ class Rig:
         return cls(**_RigFile(text).rig_fields())
 
     def save(self, path: str | os.PathLike) -> None:
-        """Write the rig to a TOML file, atomically, with its coefficients; `load` returns the same rig."""
+        """Write the rig to a TOML file, atomically; `load` returns the same rig."""
         path = Path(path)
         if path.suffix != ".toml":
             raise ValueError(f"path = {str(path)!r}: must end in .toml")
@@ -333,7 +341,11 @@ class Rig:
         limits |= _angle("pitch_min", self.limits.pitch_min) | _angle("pitch_max", self.limits.pitch_max)
         tables: dict[str, Any] = {"name": self.name, "source": self.source}
         tables |= _angle("pitch_limit", self.pitch_limit) | _angle("table_elevation", self.table_elevation)
-        tables["coefficients"] = {name: float(getattr(self.parameters, name)) for name in COEFFICIENTS}
+        if self.mass_data is None:
+            tables["coefficients"] = {name: float(getattr(self.parameters, name)) for name in COEFFICIENTS}
+        else:
+            masses = self.mass_data._asdict()
+            tables["masses"] = {name: float(value) for name, value in masses.items() if value is not None}
         tables["thrust"] = thrust
         tables["actuator"] = {"voltage_limits": list(self.voltage_limits), "lag": self.lag, "delay": self.delay}
         tables["sensors"] = {
@@ -352,7 +364,7 @@ class Rig:
         found = []
         for f in fields(self):
             mine, theirs = getattr(self, f.name), getattr(other, f.name)
-            if f.name in ("name", "source", "limits") or mine == theirs:
+            if f.name in ("name", "source", "limits", "mass_data") or mine == theirs:
                 continue
             if f.name == "parameters":
                 pairs = zip(HelicopterParameters._fields, mine, theirs)
@@ -365,6 +377,15 @@ class Rig:
 
     def __str__(self) -> str:
         return self.name
+
+
+def body_of_masses(masses: Masses) -> RigidBodyParameters:
+    """Rigid body with these masses and lengths; its linearisation is `coefficients_from_masses`."""
+    m = masses
+    radius = m.rotor_arm if m.gyration_radius is None else m.gyration_radius
+    lengths = m.arm, m.rotor_arm, m.counterweight_arm
+    heights = m.body_drop, m.counterweight_drop, m.hinge_height
+    return RigidBodyParameters(*lengths, m.gravity, m.body, m.counterweight, radius, *heights)
 
 
 def same_dynamics(one: Rig, other: Rig) -> bool:
@@ -522,7 +543,8 @@ class _RigFile:
             coefficients = self.table("coefficients", COEFFICIENTS, COEFFICIENTS[:6])
         else:
             required = tuple(name for name in Masses._fields if name not in Masses._field_defaults)
-            coefficients = coefficients_from_masses(Masses(**self.table("masses", Masses._fields, required)))
+            found["mass_data"] = Masses(**self.table("masses", Masses._fields, required))
+            coefficients = coefficients_from_masses(found["mass_data"])
         for key, value in coefficients.items():
             require(f"line {self.line(key, given[0])}: {key}", value, True, "a number")
         found["parameters"] = HelicopterParameters()._replace(**{k: float(v) for k, v in coefficients.items()})

@@ -26,7 +26,7 @@ OBSERVATION_LIMIT = 10.0  # units, saturation of every entry: 10 rad of travel e
 # Tracking error (travel, elevation, pitch, each with its rate; rad and rad/s) that counts as one in the reward, and
 # bound of a successful end of the flight.
 TOLERANCE = tuple(math.radians(degrees) for degrees in (3.0, 6.0, 3.0, 6.0, 6.0, 30.0))
-EFFORT_TOLERANCE = 6.0  # V, from the nominal voltage, likewise
+EFFORT_SHARE = 0.5  # of the amplifier's range, from the nominal voltage, likewise: 6 V for 0 to 12 V
 
 FARTHEST_START = (1.0, 1.0, 1.0, 1.0, 1.0, 1.0)  # rad and rad/s, between a start and the reference's
 HOVER_MARGIN = 0.05  # share of the amplifier's range: closer to an end, hover is not the action zero
@@ -78,17 +78,19 @@ def observed_voltage(u: Any) -> Any:
     return (u - VOLTAGE_CENTRE) / VOLTAGE_SCALE
 
 
-def reward(error: Any, du: Any) -> Any:
+def reward(error: Any, du: Any, voltage_range: Any) -> Any:
     """Reward per second, in (0, 1], of a tracking error (6, ...) in rad and rad/s and voltage deviations du (2, ...).
 
-    It is 1 on the reference and 1/2 where the squared errors, each in units of its tolerance, sum to 1. It is positive,
-    so that ending an episode early never pays, and decays slowly, so that it has a gradient far from the reference. The
-    deviations are from the nominal voltages, in V.
+    The deviations from the nominal voltages are in V, as is the range of the amplifier, its maximum minus its minimum.
+    The reward is 1 on the reference and 1/2 where the squared errors, each in units of its tolerance, sum to 1. It is
+    positive, so that ending an episode early never pays, and decays slowly, so that it has a gradient far from the
+    reference.
     """
     e1, e2, e3, e4, e5, e6 = error
     t1, t2, t3, t4, t5, t6 = TOLERANCE
     squares = (e1 / t1) ** 2 + (e2 / t2) ** 2 + (e3 / t3) ** 2 + (e4 / t4) ** 2 + (e5 / t5) ** 2 + (e6 / t6) ** 2
-    return 1.0 / (1.0 + squares + (du[0] / EFFORT_TOLERANCE) ** 2 + (du[1] / EFFORT_TOLERANCE) ** 2)
+    effort = EFFORT_SHARE * voltage_range
+    return 1.0 / (1.0 + squares + (du[0] / effort) ** 2 + (du[1] / effort) ** 2)
 
 
 def cost(pitch: Any, u: Any, limits: Limits | Any) -> Any:

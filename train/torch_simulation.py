@@ -152,7 +152,7 @@ def step(batch: Batch, state: State, actions: torch.Tensor) -> tuple[State, Outc
 
     at = reference_row(batch, state)
     now, then = batch.table[at].T, batch.table[at + 1].T
-    earned = s.period * reward(axpy(x, -1.0, then[:6]), command - now[6:8])
+    earned = s.period * reward(axpy(x, -1.0, then[:6]), command - now[6:8], s.u_high - s.u_low)
     spent = s.period * cost(x[4], command, batch.limits)
     terminated = crashed(x[4], s.pitch_limit)
     truncated = (state.step + 1 == batch.last) & ~terminated

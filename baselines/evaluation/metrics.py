@@ -55,7 +55,7 @@ def flight_metrics(
     charged = cost(flight.x[4, 1:], u, reference.limits).sum()
     if missing:
         charged += missing * crash_cost(float(flight.x[4, -1]), voltage_limits, reference.limits)
-    per_second = reward(error[:, 1:], u - u_ref[:, :steps])
+    per_second = reward(error[:, 1:], u - u_ref[:, :steps], high - low)
     squares = (angles_deg**2).sum(axis=1) + missing * angles_deg[:, -1] ** 2
     return Metrics(
         rms_error_deg=tuple(np.sqrt(squares / x_ref.shape[1]).tolist()),

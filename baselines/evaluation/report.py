@@ -18,7 +18,7 @@ import numpy as np
 
 from heli_gym.baselines.evaluation.labels import colours_of, label_of
 from heli_gym.baselines.paper.tvlqr import riccati_gains
-from heli_gym.rig import Rig
+from heli_gym.rig import Rig, body_of_masses
 from heli_gym.rigid_body import RigidBodyParameters, solve_rigid_body
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import control_grid
@@ -114,7 +114,9 @@ def write_report(
 
 
 def body_of(rig: Rig) -> RigidBodyParameters:
-    """Rigid body for the replay, with the rig's coefficients or, without a solution, the paper's."""
+    """Rigid body for the replay: of the rig's masses, else of its coefficients or, without a solution, the paper's."""
+    if rig.mass_data is not None:
+        return body_of_masses(rig.mass_data)
     try:
         return solve_rigid_body("A", rig.parameters)
     except ValueError:

@@ -57,7 +57,7 @@ def compute_reward(block: Any, n: int, s: Settings) -> None:
         limits = LimitArrays(*two(block, LIMITS, i), *two(block, PITCH_LIMITS, i))
         step, last = block[STEP * ROW + i], block[LAST * ROW + i]
         error = axpy(x, -1.0, x_ref)
-        earned = s.period * reward(error, (u_f - nominal_f, u_b - nominal_b))
+        earned = s.period * reward(error, (u_f - nominal_f, u_b - nominal_b), s.u_high - s.u_low)
         spent = s.period * cost(x[4], (u_f, u_b), limits)
         terminated = 1.0 if crashed(x[4], s.pitch_limit) else 0.0
         truncated = 1.0 - terminated if step == last else 0.0

@@ -1,5 +1,7 @@
 """Environments on other rigs: plants, hover, references, invalid combinations."""
 
+from dataclasses import replace
+
 import gymnasium as gym
 import numpy as np
 import pytest
@@ -11,9 +13,11 @@ from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.flatness import replanned
-from heli_gym.model import virtual_input
-from heli_gym.plant import Plant
-from heli_gym.rig import PAPER
+from heli_gym.model import hover_input, virtual_input
+from heli_gym.on_rig import plant_on_rig
+from heli_gym.plant import Plant, Rotors, Sensors, Table, Uniform
+from heli_gym.rig import PAPER, Masses
+from heli_gym.rigid_body import rigid_dynamics
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 MIXED = Rig(
@@ -41,7 +45,7 @@ def test_the_action_zero_hovers_on_the_rig(rig):
 @pytest.mark.parametrize("rig", RIGS, ids=str)
 def test_the_papers_controller_flies_the_default_reference_on_any_rig(rig, plant):
     if (plant, rig) == ("rigid", "quanser"):
-        with pytest.raises(ValueError, match="plant = 'rigid': must be another on the rig 'quanser'"):
+        with pytest.raises(ValueError, match=r"must be 'nominal' or 'lab' on the rig 'quanser'.*masses"):
             Heli3DOFEnv(plant, "travel-180", rig=rig)
         return
     env = Heli3DOFEnv(plant, "travel-180", rig=rig)
@@ -50,6 +54,39 @@ def test_the_papers_controller_flies_the_default_reference_on_any_rig(rig, plant
     assert flight.duration == pytest.approx(env.reference.duration, abs=0.02)
     error = flight_metrics(flight, env.reference, env.voltage_limits).rms_error_deg
     assert max(error) < (0.05 if plant == "nominal" else 20.0)
+
+
+def test_actuators_and_sensors_of_a_plant_are_the_rigs():
+    other = replace(PAPER, lag=0.2, delay=0.035, encoder_counts=(2000, 1440, 1000), table_elevation=0.3)
+    for rig in (other, replace(find_rig("ntnu"), lag=0.2, delay=0.035, encoder_counts=(2000, 1440, 1000))):
+        for name in ("lab", "rigid"):
+            plant = Heli3DOFEnv(name, "climb-7.5", rig=rig).plant
+            assert plant.sensors.counts == (2000, 1440, 1000)
+            assert (plant.rotors.lag, plant.rotors.delay) == (Uniform(0.1, 0.4), 0.035)
+            assert plant_on_rig(plant, rig) == plant
+    assert Heli3DOFEnv(Plant(table=Table()), "climb-7.5", rig=other).plant.table.elevation == 0.3
+    own = Plant(rotors=Rotors(lag=0.1), sensors=Sensors((500, 500, 500)))
+    assert Heli3DOFEnv(own, "climb-7.5", rig=other).plant == own
+    assert make_policy("kalman-lqr", Heli3DOFEnv("lab", "climb-7.5", rig=other).reference).actuator.lag == 0.2
+
+
+def test_the_rigid_body_of_a_rig_from_masses_has_these_masses(tmp_path):
+    masses = Masses(1.6, 2.05, 0.7, 0.48, 0.19, 0.17, 0.012, 0.02, 0.02)
+    rig = Rig.from_masses("mine", masses, voltage_limits=(0.0, 24.0))
+    rig.save(tmp_path / "mine.toml")
+    assert find_rig(tmp_path / "mine.toml") == rig
+    body = Heli3DOFEnv("rigid", "climb-7.5", rig=rig).plant.rig.options[0]
+    lengths = body.l_h, body.l_c, body.l_p, body.r, body.d_h, body.d_c, body.e_h
+    assert (body.m_h, body.m_c, *lengths) == masses[:9]
+    # whose linearisation about hover, by a complex step, is (3)
+    v1, h, p = float(hover_input(0.0, rig.parameters)[0]), 1e-20, rig.parameters
+    body = body._replace(kappa=0.0)
+    for axis, gradient in ((2, p.a1), (4, p.a3)):
+        x = np.zeros(6, complex)
+        x[axis] = 1j * h
+        slope = np.array(rigid_dynamics(x, (v1, 0.0), body)).imag[axis + 1] / h
+        assert slope == pytest.approx(gradient, rel=0.05)  # (3) locks the other axes
+    assert replace(rig, parameters=PAPER.parameters).mass_data is None
 
 
 def test_many_helicopters_fly_as_one_does():

@@ -82,7 +82,8 @@ def test_a_batch_in_numpy_of_the_same_equations_is_the_compiled_flight():
         )
         v = virtual_input(thrust(u, p))
         x = np.array(rk4_step(motion.equation_3, x, (v, v, v), 0.02, motion.Body(p, None, None, None, None)))
-        earned = 0.02 * reward(x - REFERENCE(0.02 * (k + 1))[0][:, None], u - REFERENCE(0.02 * (k + 0.5))[1][:, None])
+        error, du = x - REFERENCE(0.02 * (k + 1))[0][:, None], u - REFERENCE(0.02 * (k + 0.5))[1][:, None]
+        earned = 0.02 * reward(error, du, AMPLIFIER_LIMITS[1] - AMPLIFIER_LIMITS[0])
         assert_allclose(outputs[X : X + 6], x, rtol=0.0, atol=1e-12)
         assert_allclose(outputs[COMMAND : COMMAND + 2], u, rtol=0.0, atol=1e-12)
         assert_allclose(outputs[REWARD], earned, rtol=0.0, atol=1e-12)

@@ -30,7 +30,7 @@ windows = st.tuples(st.floats(-12.0, 5.0), st.floats(6.0, 24.0))
 BROADCASTING = {
     "to_voltage": (lambda x, u: task.to_voltage(u, (0.0, 15.0), 8.0), 2),
     "to_action": (lambda x, u: task.to_action(u, (0.0, 15.0), 8.0), 2),
-    "reward": (task.reward, 0),
+    "reward": (lambda x, u: task.reward(x, u, 12.0), 0),
     "cost": (lambda x, u: task.cost(x[4], u, LIMITS), 0),
     "crashed": (lambda x, u: task.crashed(x[4], 1.4), 0),
     "succeeded": (lambda x, u: task.succeeded(0.05 * x), 0),
@@ -53,7 +53,7 @@ def test_a_batch_is_its_members(name):
 @given(errors, volts)
 def test_lists_of_floats_give_the_same_as_arrays(name, x, u):
     functions = {
-        "reward": task.reward,
+        "reward": lambda x, u: task.reward(x, u, 12.0),
         "cost": lambda x, u: task.cost(x[4], u, LIMITS),
         "crashed": lambda x, u: task.crashed(x[4], 1.4),
         "succeeded": lambda x, u: task.succeeded(x),
@@ -94,15 +94,16 @@ def test_hover_is_where_equation_3_rests_with_a_level_arm():
 
 @given(errors, volts)
 def test_a_reward_is_positive_and_at_most_one(error, du):
-    assert 0.0 < task.reward(error, du) <= 1.0
+    assert 0.0 < task.reward(error, du, 12.0) <= 1.0
 
 
 def test_a_reward_is_one_on_the_reference_and_a_half_at_the_tolerance_of_any_one_error():
-    assert task.reward(np.zeros(6), np.zeros(2)) == 1.0
-    tolerances = [*np.radians([3.0, 6.0, 3.0, 6.0, 6.0, 30.0]), 6.0, 6.0]
-    for one in np.diag(tolerances):
-        assert task.reward(one[:6], one[6:]) == pytest.approx(0.5)
-        assert task.reward(-one[:6], -one[6:]) == pytest.approx(0.5)
+    for low, high in ((0.0, 12.0), (-24.0, 24.0)):
+        assert task.reward(np.zeros(6), np.zeros(2), high - low) == 1.0
+        half = 0.5 * (high - low)
+        for one in np.diag([*np.radians([3.0, 6.0, 3.0, 6.0, 6.0, 30.0]), half, half]):
+            assert task.reward(one[:6], one[6:], high - low) == pytest.approx(0.5)
+            assert task.reward(-one[:6], -one[6:], high - low) == pytest.approx(0.5)
 
 
 @given(errors, volts, st.integers(0, 7), st.floats(1.01, 5.0))
@@ -110,7 +111,7 @@ def test_a_greater_error_is_never_rewarded_more(error, du, k, factor):
     z = np.concatenate((error, du))
     greater = z.copy()
     greater[k] *= factor
-    before, after = (task.reward(values[:6], values[6:]) for values in (z, greater))
+    before, after = (task.reward(values[:6], values[6:], 12.0) for values in (z, greater))
     assert after <= before
     assert after < before or abs(z[k]) < 1e-6
 
