@@ -272,8 +272,8 @@ def add_residual(source: CSource, policy: ResidualPolicy) -> None:
     if "preview" in groups:
         source.array("PREVIEW", policy.preview.T)
     if isinstance(network, RecurrentNetwork):
-        source.array("CELL_INPUT", network.weight_input.ravel())
-        source.array("CELL_HIDDEN", network.weight_hidden.ravel())
+        source.array("CELL_INPUT", network.weight_input.T.ravel())
+        source.array("CELL_HIDDEN", network.weight_hidden.T.ravel())
         source.array("CELL_INPUT_BIAS", network.bias_input)
         source.array("CELL_HIDDEN_BIAS", network.bias_hidden)
     lines = []
@@ -282,7 +282,7 @@ def add_residual(source: CSource, policy: ResidualPolicy) -> None:
         lines += ["    recur(a);", "    for (int i = 0; i < HIDDEN; i++) {", "        a[i] = seen.hidden[i];", "    }"]
     for layer, (weight, bias) in enumerate(zip(head.weights, head.biases)):
         outputs, width = weight.shape
-        source.array(f"WEIGHT_{layer}", weight.ravel())
+        source.array(f"WEIGHT_{layer}", weight.T.ravel())
         source.array(f"BIAS_{layer}", bias)
         squashed = layer < len(head.weights) - 1 or head.tanh_output
         lines += [

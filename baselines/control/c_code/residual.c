@@ -72,12 +72,15 @@ static int observe(int k, const real y[6], const real base[2], real *features) {
     return n;
 }
 
-/* out = weight in + bias */
-static void affine(const real *weight, const real *bias, const real *in, int inputs, int outputs, real *out) {
+/* out = weight in + bias; `weight` is stored by columns, so that compilers vectorise the inner loop. */
+static void affine(const real *weight, const real *bias, const real *in, int inputs, int outputs, real *restrict out) {
     for (int i = 0; i < outputs; i++) {
         out[i] = bias[i];
-        for (int j = 0; j < inputs; j++) {
-            out[i] += weight[inputs * i + j] * in[j];
+    }
+    for (int j = 0; j < inputs; j++) {
+        const real *column = weight + outputs * j, value = in[j];
+        for (int i = 0; i < outputs; i++) {
+            out[i] += column[i] * value;
         }
     }
 }
