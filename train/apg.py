@@ -6,6 +6,7 @@ safetensors and JSON, read without unpickling.
 """
 
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,15 +17,41 @@ from threadpoolctl import threadpool_limits
 
 from heli_gym.baselines.control.residual import CELL, Network, RecurrentNetwork, ResidualPolicy
 from heli_gym.baselines.control.tracking import TrackingPolicy
+from heli_gym.plant import ThrustDrift
 from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.simulation import layout, motion
-from heli_gym.simulation.layout import COUNTS, LAG, LOSS, MEASURED, PARAMETERS, RIG, ROTOR, VISCOUS, X
+from heli_gym.simulation.layout import (
+    AMOUNT,
+    BACK,
+    COULOMB,
+    COUNTS,
+    DELAY_PERIODS,
+    DELAY_REST,
+    DISTURBANCE,
+    DISTURBANCES,
+    DURATION,
+    FRONT,
+    LAG_DECAY,
+    LOSS,
+    MEASURED,
+    PARAMETERS,
+    REST_DECAY,
+    RIG,
+    ROTOR,
+    SHARE,
+    TRAVEL_LIFT,
+    VISCOUS,
+    ZEROS,
+    X,
+)
+from heli_gym.thrust_map import PowerCurve
 from heli_gym.train.checkpoint import read_checkpoint, write_state
 from heli_gym.train.flight_gradient import LANES, SUBSTEPS, Batch, Outcome, Rollout, Settings, Task, Weights
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 GROUPS = ("error", "voltages", "preview")  # feature groups of its network
 AHEAD = (0.0, 0.2, 0.4, 0.8, 1.6)  # s, previews of the reference
+UNBOUNDED = 1e9  # V
 FLIGHT_FEATURES = (*range(8), 10, 11)  # indices; the other features depend on time alone
 
 
@@ -108,20 +135,29 @@ def task_of(policy: ResidualPolicy, envs: Heli3DOFVectorEnv, cost_weight: float,
     Raises ValueError for a base, law or plant that the compiled flights do not support.
     """
     base = policy.base
-    if not isinstance(base, TrackingPolicy) or policy.law != "saturated":
+    if not isinstance(base, TrackingPolicy):
         raise ValueError(f"base: must be a feedforward with state feedback, not {type(base).__name__}")
     simulation = envs.simulation
     shared = layout.shared(simulation.settings.tolist())
-    sensors = simulation.plants[0].sensors
-    usual = simulation.fly is motion.step_plant and shared.substeps == SUBSTEPS and not shared.disturbances
+    first = simulation.plants[0]
+    general = simulation.fly is motion.step_general
+    curve = base.rig.thrust_map.front
+    usual = shared.substeps == SUBSTEPS and first.sensors is not None and not shared.is_noisy and not shared.pieces
+    usual = usual and (general or (simulation.fly is motion.step_plant and not shared.disturbances))
     for plant in simulation.plants:
-        usual = usual and plant.sensors == sensors and not any(plant.friction.coulomb)
-        usual = usual and plant.rotors.gains == (1.0, 1.0) and math.isinf(plant.rotors.slew)
-    if not usual or sensors is None or shared.is_noisy:
+        usual = usual and math.isinf(plant.rotors.slew)
+        if general:
+            usual = usual and plant.rig is None and all(isinstance(d, ThrustDrift) for d in plant.disturbances)
+        else:
+            usual = usual and not any(plant.friction.coulomb) and plant.rotors.gains == (1.0, 1.0)
+    usual = usual and isinstance(curve, PowerCurve) and base.rig.thrust_map.back == curve and curve.dead_zone == 0.0
+    if not usual:
         raise ValueError(
-            "plant: must have encoders, rotors alike and a delay of whole control periods, and neither Coulomb "
-            "friction, noise, disturbances nor a slew limit"
+            "plant: must have encoders, no noise, no slew limit, power curves of thrust, and no disturbances but a "
+            "drift of thrust; the base's rotors must be alike"
         )
+    if not general and curve.exponent != 2.0:
+        raise ValueError("base: its thrust map must be (2) on a plant whose thrust map is (2)")
     T = policy.x.shape[1] - 1
     policy.reset(np.random.default_rng(0))
     _, features = policy.observe(envs.control_period * np.arange(T), policy.x[:, :T])
@@ -130,8 +166,9 @@ def task_of(policy: ResidualPolicy, envs: Heli3DOFVectorEnv, cost_weight: float,
     limits = policy.reference.limits
     settings = Settings(
         envs.control_period, low, high, envs.pitch_limit, *limits.u, *limits.pitch,
-        float(np.exp(-envs.control_period / sensors.rate_filter)), policy.scale,
-        base.rig.parameters.k_plus, base.rig.parameters.k_minus, cost_weight, elevation_weight,
+        float(np.exp(-envs.control_period / first.sensors.rate_filter)), policy.scale,
+        curve.k_plus, curve.k_minus, cost_weight, elevation_weight,
+        *((low, high) if policy.law == "saturated" else (-UNBOUNDED, UNBOUNDED)), curve.exponent,
     )  # fmt: skip
     return Task(
         np.ascontiguousarray(base.x.T),
@@ -139,7 +176,7 @@ def task_of(policy: ResidualPolicy, envs: Heli3DOFVectorEnv, cost_weight: float,
         np.ascontiguousarray(base.gains.transpose(2, 0, 1)[:T]),
         np.ascontiguousarray(features[time_features(len(features))].T.astype(np.float32)),
         np.array(settings),
-        int(shared.delay),
+        int(shared.delay) + general,
     )
 
 
@@ -151,22 +188,40 @@ def batch_of(envs: Heli3DOFVectorEnv, seed: int) -> Batch:
     simulation.reset(np.arange(envs.num_envs))
     rows = simulation.rows
     k_plus, _, a1, a2, a3, b1, b2, b3, *c = rows(PARAMETERS, 11)
-    lag, loss, viscous, counts = rows(LAG, 1)[0], rows(LOSS, 1)[0], rows(VISCOUS, 3), rows(COUNTS, 3)
-    with np.errstate(divide="ignore"):
-        decay = np.exp(-0.5 * envs.control_period / SUBSTEPS / lag)
-    motion = [a1, a2, a3, b1, b2, b3, *(np.array(c) + viscous)]
+    viscous, counts = rows(VISCOUS, 3), rows(COUNTS, 3)
+    motion_rows = [a1, a2, a3, b1, b2, b3, *(np.array(c) + viscous)]
     if simulation.plants[0].alternatives[0].rig is not None:
-        motion = [*rows(RIG, len(RigidBodyParameters._fields)), *viscous]
-    body = np.array([(1.0 - loss) * k_plus, decay, *counts, *motion])
-    return Batch(body, rows(X, 6).copy(), rows(MEASURED, 6).copy(), rows(ROTOR, 2).copy())
+        motion_rows = [*rows(RIG, len(RigidBodyParameters._fields)), *viscous]
+    start = rows(X, 6).copy(), rows(MEASURED, 6).copy(), rows(ROTOR, 2).copy()
+    decay = rows(LAG_DECAY, 1)[0]
+    if simulation.fly is not motion.step_general:
+        share = 1.0 - rows(LOSS, 1)[0]
+        return Batch(np.array([share * k_plus, decay, *counts, *motion_rows]), *start)
+    thrusts, exponents = [], []
+    for share, curve in zip(rows(SHARE, 2), (FRONT, BACK)):
+        forward, backward, exponent, _ = rows(curve, 4)
+        thrusts += [share * forward, share * backward]
+        exponents.append(exponent)
+    drift = np.zeros(envs.num_envs)
+    for d in range(int(layout.shared(simulation.settings.tolist()).disturbances)):
+        values = rows(DISTURBANCES + DISTURBANCE * d, DISTURBANCE)
+        drift += 0.5 * values[AMOUNT] / values[DURATION]  # there is one for each rotor
+    body = [
+        np.zeros(envs.num_envs), decay**SUBSTEPS, *counts, *motion_rows, *thrusts, *exponents, np.ones(envs.num_envs),
+        rows(DELAY_REST, 1)[0], rows(REST_DECAY, 1)[0] ** SUBSTEPS, *rows(COULOMB, 3), rows(TRAVEL_LIFT, 1)[0],
+        *rows(ZEROS, 3),
+    ]  # fmt: skip
+    return Batch(np.array(body), *start, rows(DELAY_PERIODS, 1)[0].astype(int), drift)
 
 
 class APG:
     """Analytic policy gradient with the interface of Stable-Baselines3's algorithms.
 
     Args:
-        policy: residual policy that defines base, scale and law; its feature groups must be `GROUPS`.
-        envs: `LANES` helicopters from which each update draws.
+        policy: residual policy that defines reference, base, scale and law; its feature groups must be `GROUPS`, or
+            those without the preview. With several, each update flies the next one's reference.
+        envs: `LANES` helicopters, from which each update draws, on the policy's reference; or several, one for each
+            policy.
         learning_rate: learning rate of Adam.
         hidden: number of states of the GRU cell.
         max_grad_norm: greatest norm of the clipped gradient.
@@ -180,8 +235,8 @@ class APG:
 
     def __init__(
         self,
-        policy: ResidualPolicy,
-        envs: Heli3DOFVectorEnv,
+        policy: ResidualPolicy | Sequence[ResidualPolicy],
+        envs: Heli3DOFVectorEnv | Sequence[Heli3DOFVectorEnv],
         learning_rate: float = 2e-3,
         hidden: int = 96,
         max_grad_norm: float = 1.0,
@@ -189,10 +244,12 @@ class APG:
         elevation_weight: float = 1.0,
         seed: int = 0,
     ) -> None:
-        if envs.num_envs != LANES:
-            raise ValueError(f"envs: must be {LANES} helicopters, not {envs.num_envs}")
-        if policy.feature_groups != GROUPS:
-            raise ValueError(f"feature_groups = {policy.feature_groups!r}: must be {GROUPS!r}")
+        policies = [policy] if isinstance(policy, ResidualPolicy) else list(policy)
+        fleets = [envs] if isinstance(envs, Heli3DOFVectorEnv) else list(envs)
+        if len(policies) != len(fleets) or any(own.num_envs != LANES for own in fleets):
+            raise ValueError(f"envs: must be {LANES} helicopters for each policy, not {[e.num_envs for e in fleets]}")
+        for groups in {own.feature_groups for own in policies} - {GROUPS, GROUPS[:2]}:
+            raise ValueError(f"feature_groups = {groups!r}: must be {GROUPS!r}, or without the last")
         self.arguments = {
             "learning_rate": learning_rate,
             "hidden": hidden,
@@ -202,11 +259,12 @@ class APG:
             "seed": seed,
         }
         torch.manual_seed(seed)
-        self.envs, self.residual, self.seed, self.max_grad_norm = envs, policy, seed, max_grad_norm
-        self.task = task_of(policy, envs, cost_weight, elevation_weight)
-        self.policy = Actor(len(FLIGHT_FEATURES) + self.task.preview.shape[1], hidden)
+        self.fleets, self.seed, self.max_grad_norm = fleets, seed, max_grad_norm
+        self.envs, self.residual = fleets[0], policies[0]
+        self.tasks = [task_of(policy, own, cost_weight, elevation_weight) for policy, own in zip(policies, fleets)]
+        self.policy = Actor(len(FLIGHT_FEATURES) + self.tasks[0].preview.shape[1], hidden)
         self.optimizer = torch.optim.Adam(self.policy.parameters(), lr=learning_rate)
-        self.rollout = Rollout(self.task, hidden)
+        self.rollout = Rollout(max(self.tasks, key=lambda task: len(task.v_ref)), hidden)
         self.device = torch.device("cpu")
         self.lr_schedule: Any = lambda _: learning_rate
         self.num_timesteps = self._n_updates = 0
@@ -256,14 +314,16 @@ class APG:
     def _update(self) -> float:
         for group in self.optimizer.param_groups:
             group["lr"] = self.lr_schedule(1.0)
-        batch = batch_of(self.envs, self.next_seed)
+        number = self._n_updates % len(self.tasks)
+        batch = batch_of(self.fleets[number], self.next_seed)
         self.next_seed += LANES
         self.optimizer.zero_grad()
+        self.rollout.task = self.tasks[number]
         FlightLoss.apply(self.rollout, batch, self.outcomes, *self.policy.parameters()).backward()
         norm = float(torch.nn.utils.clip_grad_norm_(self.policy.parameters(), self.max_grad_norm))
         if np.isfinite(norm):
             self.optimizer.step()
-        self.num_timesteps += LANES * len(self.task.v_ref)
+        self.num_timesteps += LANES * len(self.rollout.task.v_ref)
         self._n_updates += 1
         return norm
 

@@ -1,9 +1,9 @@
 """Gradients of flights with respect to a recurrent network's weights, by backpropagation through the simulator.
 
-A batch is `LANES` flights of plants like `lab` and `rigid`: equation (3) or the full rigid body, with viscous friction,
-rotor lag, thrust loss, delay and encoders. A feedforward with state feedback (51) flies them, and a GRU corrects it.
-Compiled kernels integrate one control period and its adjoint; numpy computes the network's matrix products. The
-derivative of quantisation is taken as 1 (straight-through estimator).
+A batch is `LANES` flights of plants like `lab`, `rigid` and `fleet`: equation (3) or the full rigid body, with rotor
+lag, friction, power curves of thrust, thrust loss, delay and encoders. A feedforward with state feedback (51) flies
+them, and a GRU corrects it. Compiled kernels integrate one control period and its adjoint; numpy computes the network's
+matrix products. The derivative of quantisation is taken as 1 (straight-through estimator).
 """
 
 from collections.abc import Callable
@@ -17,7 +17,7 @@ from heli_gym.baselines.control.residual import FEATURE_CLIP
 from heli_gym.compilation import Compiler
 from heli_gym.model import axpy, dynamics, rk4_step, virtual_input
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import quantise
+from heli_gym.plant import COULOMB_RATE, quantise
 from heli_gym.rigid_body import (
     RigidBodyParameters,
     coriolis,
@@ -28,6 +28,7 @@ from heli_gym.rigid_body import (
     solve_symmetric,
 )
 from heli_gym.simulation import fast_math
+from heli_gym.simulation.fast_math import power
 from heli_gym.task import TOLERANCE
 
 LANES = 128  # flights in a batch
@@ -41,6 +42,13 @@ N_FLIGHT_FEATURES = 10  # features that depend on the flight: tracking error (6)
 # then the coefficients of motion, `COEFFICIENTS` of (3) or `RIGID` of the rigid body, with viscous friction last.
 K_PLUS, LAG_DECAY, COUNTS, NUMBERS = 0, 1, 2, 5
 COEFFICIENTS, RIGID = 9, 14
+# Further rows of the helicopters of `fleet`: thrusts at 1 V of the front rotor, forwards and backwards, and of the back
+# rotor; exponents of both; share of the thrust left by drift; s from the start of a period to the arrival of delayed
+# voltages, and decay by the lag over half of it; Coulomb friction; travel lift; zeros of the sensors.
+THRUST, EXPONENTS, EFFECT = NUMBERS + COEFFICIENTS, NUMBERS + COEFFICIENTS + 4, NUMBERS + COEFFICIENTS + 6
+REST, REST_DECAY, OF_COULOMB, LIFT, ZEROS = EFFECT + 1, EFFECT + 2, EFFECT + 3, EFFECT + 6, EFFECT + 7
+FLEET = ZEROS + 3  # number of rows
+LEAST_SPEED = 0.2  # V
 
 
 class Task(NamedTuple):
@@ -51,7 +59,7 @@ class Task(NamedTuple):
     gains: np.ndarray  # (T, 2, 6)
     preview: np.ndarray  # (T, P), single precision: features that depend on time alone
     settings: np.ndarray  # (len(Settings._fields),)
-    delay: int  # control periods
+    delay: int  # control periods; of `fleet` at least one more than any helicopter's
 
 
 class Settings(NamedTuple):
@@ -67,10 +75,13 @@ class Settings(NamedTuple):
     pitch_max: float
     rate_decay: float  # of the rate filter, per period
     scale: float  # V, greatest correction
-    k_plus: float  # N/V², nominal
+    k_plus: float  # N/V^exponent, nominal
     k_minus: float
     cost_weight: float  # deg/s, weight of the cost in the loss
     elevation_weight: float
+    base_low: float  # V, limits of the base voltages before the correction
+    base_high: float
+    exponent: float  # nominal, of the thrust map
 
 
 class Weights(NamedTuple):
@@ -88,10 +99,12 @@ class Weights(NamedTuple):
 class Batch(NamedTuple):
     """Starts and plants of the flights, in arrays (..., LANES)."""
 
-    body: np.ndarray  # (NUMBERS + COEFFICIENTS, LANES), or (NUMBERS + RIGID, LANES)
+    body: np.ndarray  # (NUMBERS + COEFFICIENTS, LANES), (NUMBERS + RIGID, LANES) or (FLEET, LANES)
     x: np.ndarray  # (6, LANES)
     measured: np.ndarray  # (6, LANES)
     u: np.ndarray  # (2, LANES), V, motor voltages
+    delay: np.ndarray | None = None  # (LANES,), whole control periods of delay of each; by default the task's
+    drift: np.ndarray | None = None  # (LANES,), 1/s, share of the thrust lost per second
 
 
 class Outcome(NamedTuple):
@@ -117,10 +130,27 @@ def inside(value: Any, low: Any, high: Any) -> Any:
     return 1.0 if low < value < high else 0.0
 
 
-def signed_root(f: Any, s: Settings) -> Any:
+def base_voltage(f: Any, s: Settings) -> Any:
     """Voltage in V for a thrust f in N by (2), without numpy: `model.voltage` for the compiler."""
     root = (abs(f) / (s.k_plus if f >= 0.0 else -s.k_minus)) ** 0.5
     return root if f >= 0.0 else -root
+
+
+def base_voltage_slope(u: Any, s: Settings) -> Any:
+    """Derivative in V/N of `base_voltage` where it is u."""
+    return 1.0 / (2.0 * (s.k_plus if u >= 0.0 else -s.k_minus) * max(abs(u), LEAST_VOLTAGE))
+
+
+def power_base_voltage(f: Any, s: Settings) -> Any:
+    """Voltage in V for a thrust f in N by a power curve."""
+    root = power(abs(f) / (s.k_plus if f >= 0.0 else -s.k_minus), 1.0 / s.exponent)
+    return root if f >= 0.0 else -root
+
+
+def power_base_voltage_slope(u: Any, s: Settings) -> Any:
+    """Derivative in V/N of `power_base_voltage` where it is u."""
+    k = s.k_plus if u >= 0.0 else -s.k_minus
+    return 1.0 / (s.exponent * k * power(max(abs(u), LEAST_VOLTAGE), s.exponent - 1.0))
 
 
 def observe(
@@ -136,7 +166,7 @@ def observe(
             v1 -= gains[0, j] * error
             v2 -= gains[1, j] * error
             features[j, i] = clip(error / TOLERANCE[j], -FEATURE_CLIP, FEATURE_CLIP)
-        front, back = signed_root(0.5 * (v1 + v2), s), signed_root(0.5 * (v1 - v2), s)
+        front, back = base_voltage(0.5 * (v1 + v2), s), base_voltage(0.5 * (v1 - v2), s)
         base[0, i], base[1, i] = front, back
         features[6, i] = clip((front - middle) / half, -FEATURE_CLIP, FEATURE_CLIP)
         features[7, i] = clip((back - middle) / half, -FEATURE_CLIP, FEATURE_CLIP)
@@ -157,10 +187,8 @@ def observe_adjoint(
         d_back = d_base[1, i] + d_features[7, i] / half * inside(
             (base[1, i] - middle) / half, -FEATURE_CLIP, FEATURE_CLIP
         )
-        k_front = s.k_plus if base[0, i] >= 0.0 else -s.k_minus
-        k_back = s.k_plus if base[1, i] >= 0.0 else -s.k_minus
-        d_f = d_front / (2.0 * k_front * max(abs(base[0, i]), LEAST_VOLTAGE))
-        d_b = d_back / (2.0 * k_back * max(abs(base[1, i]), LEAST_VOLTAGE))
+        d_f = d_front * base_voltage_slope(base[0, i], s)
+        d_b = d_back * base_voltage_slope(base[1, i], s)
         d_v1, d_v2 = 0.5 * (d_f + d_b), 0.5 * (d_f - d_b)
         for j in range(6):
             error = (measured[j, i] - x_ref[j]) / TOLERANCE[j]
@@ -172,10 +200,71 @@ def observe_adjoint(
         d_last[0, i], d_last[1, i] = d_features[8, i], d_features[9, i]
 
 
+# Rotors, delays and sensors of plants like `lab`; `kernels` binds these names to others for `fleet`.
+
+
+def thrusts(w_f: Any, w_b: Any, body: Any, i: int) -> tuple[Any, Any]:
+    """Thrusts (2,) in N of forward rotors at the speeds w, as voltages, by (2)."""
+    k = body[K_PLUS, i]
+    return k * w_f * w_f, k * w_b * w_b
+
+
+def slopes_of(w_f: Any, w_b: Any, body: Any, i: int) -> tuple[Any, Any]:
+    """Derivatives (2,) of `thrusts` in N/V."""
+    k = body[K_PLUS, i]
+    return 2.0 * k * w_f, 2.0 * k * w_b
+
+
+def first_step(s: Settings, body: Any, i: int) -> tuple[Any, Any]:
+    """Duration in s of the first part of the period, and the rotors' decay over half of it."""
+    return s.period / SUBSTEPS, body[LAG_DECAY, i]
+
+
+def second_step(s: Settings, body: Any, i: int) -> tuple[Any, Any]:
+    """Duration in s of the second part of the period, and the rotors' decay over half of it."""
+    return s.period / SUBSTEPS, body[LAG_DECAY, i]
+
+
+def zero_of(body: Any, axis: int, i: int) -> Any:
+    """Angle in rad at which a sensor reads zero."""
+    return 0.0
+
+
+def fleet_thrusts(w_f: Any, w_b: Any, body: Any, i: int) -> tuple[Any, Any]:
+    """Thrusts (2,) in N of rotors with power curves, forwards or backwards."""
+    front = power(abs(w_f), body[EXPONENTS, i]) * (body[THRUST, i] if w_f >= 0.0 else body[THRUST + 1, i])
+    back = power(abs(w_b), body[EXPONENTS + 1, i]) * (body[THRUST + 2, i] if w_b >= 0.0 else body[THRUST + 3, i])
+    return front * body[EFFECT, i], back * body[EFFECT, i]
+
+
+def fleet_slopes(w_f: Any, w_b: Any, body: Any, i: int) -> tuple[Any, Any]:
+    """Derivatives (2,) of `fleet_thrusts` in N/V; below `LEAST_SPEED` they go to zero, where they may be infinite."""
+    front, back = fleet_thrusts(w_f, w_b, body, i)
+    return (
+        body[EXPONENTS, i] * abs(front) / max(abs(w_f), LEAST_SPEED),
+        body[EXPONENTS + 1, i] * abs(back) / max(abs(w_b), LEAST_SPEED),
+    )
+
+
+def fleet_first_step(s: Settings, body: Any, i: int) -> tuple[Any, Any]:
+    """`first_step`, to the arrival of the delayed voltages."""
+    return body[REST, i], body[REST_DECAY, i]
+
+
+def fleet_second_step(s: Settings, body: Any, i: int) -> tuple[Any, Any]:
+    """`second_step`, from the arrival of the delayed voltages on."""
+    return s.period - body[REST, i], body[LAG_DECAY, i]
+
+
+def fleet_zero_of(body: Any, axis: int, i: int) -> Any:
+    """`zero_of` of a drawn rig."""
+    return body[ZEROS + axis, i]
+
+
 # Equations of motion and their vector-Jacobian products, by (3) or for the rigid body; `kernels` binds these names.
 
 
-def parameters_of(body: Any, i: int) -> Any:
+def equation_3_parameters(body: Any, i: int) -> Any:
     """Parameters of (3) of helicopter i; its thrust map has separate rows."""
     k = NUMBERS
     return HelicopterParameters(
@@ -184,12 +273,17 @@ def parameters_of(body: Any, i: int) -> Any:
     )  # fmt: skip
 
 
+def parameters_of(body: Any, i: int) -> Any:
+    """Parameters of `derivative` for helicopter i."""
+    return equation_3_parameters(body, i)
+
+
 def derivative(x: Any, v: Any, p: Any) -> Any:
     """State derivative (6,) by (3)."""
     return dynamics(x, v, p, sin, cos)
 
 
-def derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
+def equation_3_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
     """Products of d (6,) with the Jacobians of (3), with respect to x (6,) and v (2,)."""
     s2, c2, s3, c3 = sin(x[2]), cos(x[2]), sin(x[4]), cos(x[4])
     d_x = (
@@ -201,6 +295,56 @@ def derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
         d[4] - p.c3 * d[5],
     )
     return d_x, (p.b1 * c2 * s3 * d[1] + p.b2 * c3 * d[3], p.b3 * d[5])
+
+
+def derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
+    """Products of d (6,) with the Jacobians of `derivative`, with respect to x (6,) and v (2,)."""
+    return equation_3_adjoint(x, v, p, d)
+
+
+def fleet_parameters_of(body: Any, i: int) -> Any:
+    """Parameters of (3), Coulomb friction (3,) and travel lift of helicopter i."""
+    coulomb = body[OF_COULOMB, i], body[OF_COULOMB + 1, i], body[OF_COULOMB + 2, i]
+    return equation_3_parameters(body, i), coulomb, body[LIFT, i]
+
+
+def dry(rate: Any, coulomb: Any) -> Any:
+    """Coulomb friction of `plant.friction` in rad/s²."""
+    return coulomb * rate / (rate * rate + COULOMB_RATE * COULOMB_RATE) ** 0.5
+
+
+def dry_slope(rate: Any, coulomb: Any) -> Any:
+    """Derivative of `dry` by the rate."""
+    square = rate * rate + COULOMB_RATE * COULOMB_RATE
+    return coulomb * COULOMB_RATE * COULOMB_RATE / (square * square**0.5)
+
+
+def fleet_derivative(x: Any, v: Any, p: Any) -> Any:
+    """State derivative (6,) by (3) with Coulomb friction and travel lift; the table is left out."""
+    own, coulomb, lift = p
+    dq1, ddq1, dq2, ddq2, dq3, ddq3 = dynamics(x, v, own, sin, cos)
+    return (
+        dq1,
+        ddq1 - dry(dq1, coulomb[0]),
+        dq2,
+        ddq2 + lift * dq1 * dq1 - dry(dq2, coulomb[1]),
+        dq3,
+        ddq3 - dry(dq3, coulomb[2]),
+    )
+
+
+def fleet_derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
+    """Products of d (6,) with the Jacobians of `fleet_derivative`, with respect to x (6,) and v (2,)."""
+    own, coulomb, lift = p
+    (d1, d2, d3, d4, d5, d6), d_v = equation_3_adjoint(x, v, own, d)
+    return (
+        d1,
+        d2 - dry_slope(x[1], coulomb[0]) * d[1] + 2.0 * lift * x[1] * d[3],
+        d3,
+        d4 - dry_slope(x[3], coulomb[1]) * d[3],
+        d5,
+        d6 - dry_slope(x[5], coulomb[2]) * d[5],
+    ), d_v
 
 
 def rigid_parameters_of(body: Any, i: int) -> Any:
@@ -220,7 +364,7 @@ def rigid_derivative(x: Any, v: Any, p: Any) -> Any:
     return dq1, ddq1 - c[0] * dq1, dq2, ddq2 - c[1] * dq2, dq3, ddq3 - c[2] * dq3
 
 
-def power(angles: Any, w: Any, v: Any, a: Any, rig: Any, test: Any) -> Any:
+def test_power(angles: Any, w: Any, v: Any, a: Any, rig: Any, test: Any) -> Any:
     """Product of `test` (3,) with torques minus inertial torques at accelerations a (3,) of (q1, eps, phi)."""
     ce, se, cf, sf = angles
     D11, D22, D33, D12, D13, D23 = mass_matrix(ce, se, cf, sf, rig)
@@ -250,8 +394,8 @@ def rigid_derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
     Q1, Q2, Q3 = generalised_forces(ce, se, cf, sf, v[0], v[1], rig)
     a = solve_symmetric(D, (Q1 - c1 - g1, Q2 - c2 - g2, Q3 - c3 - g3))
     test = solve_symmetric(D, (d[1], -d[3], d[5]))
-    by_eps = power((ce - STEP * se, se + STEP * ce, cf, sf), w, v, a, rig, test).imag / 1e-30
-    by_phi = power((ce, se, cf - STEP * sf, sf + STEP * cf), w, v, a, rig, test).imag / 1e-30
+    by_eps = test_power((ce - STEP * se, se + STEP * ce, cf, sf), w, v, a, rig, test).imag / 1e-30
+    by_phi = test_power((ce, se, cf - STEP * sf, sf + STEP * cf), w, v, a, rig, test).imag / 1e-30
     by_w1 = quadratic_slope(ce, se, cf, sf, w, (1.0, 0.0, 0.0), rig, test)
     by_w2 = quadratic_slope(ce, se, cf, sf, w, (0.0, 1.0, 0.0), rig, test)
     by_w3 = quadratic_slope(ce, se, cf, sf, w, (0.0, 0.0, 1.0), rig, test)
@@ -308,11 +452,6 @@ def six(values: Any, i: int) -> Any:
     return values[0, i], values[1, i], values[2, i], values[3, i], values[4, i], values[5, i]
 
 
-def rotor_inputs(front: Any, back: Any, k: Any) -> Any:
-    """Inputs v (2,) of forward rotors at voltages `front` and `back`."""
-    return virtual_input((k * front * front, k * back * back))
-
-
 def excess_slope(value: Any, low: Any, high: Any) -> Any:
     """Derivative of `task.excess`."""
     return (1.0 if value > high else (-1.0 if value < low else 0.0)) / (high - low)
@@ -323,29 +462,67 @@ def excess(value: Any, low: Any, high: Any) -> Any:
     return max(max(value - high, low - value), 0.0) / (high - low)
 
 
+def turned(u: Any, w: Any, decay: Any) -> tuple[Any, Any]:
+    """Rotor speeds at the middle and the end of a step, as steady-state voltages, from w under a motor voltage u."""
+    middle = u + decay * (w - u)
+    return middle, u + decay * (middle - u)
+
+
+def fly_part(x: Any, w: Any, u: Any, step: Any, body: Any, i: int, p: Any) -> tuple[Any, Any]:
+    """State (6,) and rotors (2,) after a step (h, decay), from x and w under the motor voltages u (2,)."""
+    h, decay = step
+    m_f, e_f = turned(u[0], w[0], decay)
+    m_b, e_b = turned(u[1], w[1], decay)
+    inputs = (
+        virtual_input(thrusts(w[0], w[1], body, i)),
+        virtual_input(thrusts(m_f, m_b, body, i)),
+        virtual_input(thrusts(e_f, e_b, body, i)),
+    )
+    return rk4_step(derivative, x, inputs, h, p), (e_f, e_b)
+
+
+def fly_part_adjoint(x: Any, w: Any, u: Any, step: Any, body: Any, i: int, p: Any, d: Any, d_w: Any) -> tuple:
+    """Adjoint of `fly_part`: derivatives by x, w and u, from d (6,) and d_w (2,) at the end of the step."""
+    h, decay = step
+    (w_f, w_b), (d_f, d_b) = w, d_w
+    m_f, e_f = turned(u[0], w_f, decay)
+    m_b, e_b = turned(u[1], w_b, decay)
+    inputs = (
+        virtual_input(thrusts(w_f, w_b, body, i)),
+        virtual_input(thrusts(m_f, m_b, body, i)),
+        virtual_input(thrusts(e_f, e_b, body, i)),
+    )
+    d, v1, v2, v3 = rk4_adjoint(x, inputs, h, p, d)
+    s_f, s_b = slopes_of(e_f, e_b, body, i)
+    d_f, d_b = d_f + s_f * (v3[0] + v3[1]), d_b + s_b * (v3[0] - v3[1])
+    to_f, to_b = (1.0 - decay) * d_f, (1.0 - decay) * d_b
+    s_f, s_b = slopes_of(m_f, m_b, body, i)
+    d_f, d_b = decay * d_f + s_f * (v2[0] + v2[1]), decay * d_b + s_b * (v2[0] - v2[1])
+    to_f, to_b = to_f + (1.0 - decay) * d_f, to_b + (1.0 - decay) * d_b
+    s_f, s_b = slopes_of(w_f, w_b, body, i)
+    return d, (decay * d_f + s_f * (v1[0] + v1[1]), decay * d_b + s_b * (v1[0] - v1[1])), (to_f, to_b)
+
+
 def fly(
-    settings: Any, body: Any, x: Any, rotors: Any, motors: Any, measured: Any, base: Any, action: Any, alive: Any,
-    x_ref: Any, u: Any, next_x: Any, next_rotors: Any, next_measured: Any, next_alive: Any, sums: Any,
+    settings: Any, body: Any, x: Any, rotors: Any, before: Any, motors: Any, measured: Any, base: Any, action: Any,
+    alive: Any, x_ref: Any, u: Any, next_x: Any, next_rotors: Any, next_measured: Any, next_alive: Any, sums: Any,
 ) -> None:  # fmt: skip
-    """Fly one control period: write commanded voltages, next states and measurements; add to the sums of `Outcome`."""
+    """Fly one control period: write commanded voltages, next states and measurements; add to the sums of `Outcome`.
+
+    The motors receive the voltages `before` in the first part of the period and `motors` in the second.
+    """
     s = Settings(*settings_of(settings))
-    h = s.period / SUBSTEPS
     for i in range(LANES):
-        front = clip(clip(base[0, i], s.u_low, s.u_high) + s.scale * action[0, i], s.u_low, s.u_high)
-        back = clip(clip(base[1, i], s.u_low, s.u_high) + s.scale * action[1, i], s.u_low, s.u_high)
+        front = clip(clip(base[0, i], s.base_low, s.base_high) + s.scale * action[0, i], s.u_low, s.u_high)
+        back = clip(clip(base[1, i], s.base_low, s.base_high) + s.scale * action[1, i], s.u_low, s.u_high)
         u[0, i], u[1, i] = front, back
         p = parameters_of(body, i)
-        decay, k = body[LAG_DECAY, i], body[K_PLUS, i]
-        state, w_f, w_b = six(x, i), rotors[0, i], rotors[1, i]
-        u_f, u_b = motors[0, i], motors[1, i]
-        for _ in range(SUBSTEPS):
-            m_f, m_b = u_f + decay * (w_f - u_f), u_b + decay * (w_b - u_b)
-            e_f, e_b = u_f + decay * (m_f - u_f), u_b + decay * (m_b - u_b)
-            inputs = rotor_inputs(w_f, w_b, k), rotor_inputs(m_f, m_b, k), rotor_inputs(e_f, e_b, k)
-            state = rk4_step(derivative, state, inputs, h, p)
-            w_f, w_b = e_f, e_b
+        first = fly_part(
+            six(x, i), (rotors[0, i], rotors[1, i]), (before[0, i], before[1, i]), first_step(s, body, i), body, i, p
+        )
+        state, w = fly_part(first[0], first[1], (motors[0, i], motors[1, i]), second_step(s, body, i), body, i, p)
         on = alive[i]
-        next_rotors[0, i], next_rotors[1, i] = w_f, w_b
+        next_rotors[0, i], next_rotors[1, i] = w
         q1, dq1, q2, dq2, q3, dq3 = state
         next_x[0, i], next_x[1, i] = (q1 if on > 0.0 else x[0, i]), (dq1 if on > 0.0 else x[1, i])
         next_x[2, i], next_x[3, i] = (q2 if on > 0.0 else x[2, i]), (dq2 if on > 0.0 else x[3, i])
@@ -360,7 +537,7 @@ def fly(
         next_alive[i] = on if abs(q3) <= s.pitch_limit else 0.0
         for axis in range(3):
             counts = body[COUNTS + axis, i]
-            angle = next_x[2 * axis, i]
+            angle = next_x[2 * axis, i] - zero_of(body, axis, i)
             shown = quantise(angle, max(counts, 1.0), floor) if counts > 0.0 else angle
             rate = s.rate_decay * measured[2 * axis + 1, i]
             next_measured[2 * axis + 1, i] = rate + (1.0 - s.rate_decay) * (shown - measured[2 * axis, i]) / s.period
@@ -368,16 +545,15 @@ def fly(
 
 
 def fly_adjoint(
-    settings: Any, body: Any, x: Any, rotors: Any, motors: Any, alive: Any, x_ref: Any, next_x: Any, slopes: Any,
-    d_x: Any, d_rotors: Any, d_measured: Any, d_motors: Any,
+    settings: Any, body: Any, x: Any, rotors: Any, before: Any, motors: Any, alive: Any, x_ref: Any, next_x: Any,
+    slopes: Any, d_x: Any, d_rotors: Any, d_measured: Any, d_before: Any, d_motors: Any,
 ) -> None:  # fmt: skip
     """Adjoint of `fly`: carry d_x, d_rotors and d_measured from the end of the period to its start, in place.
 
-    Adds to d_motors. `slopes` (3, LANES) are the derivatives of the loss with respect to half the sums of squared
-    travel and elevation errors, and to cost and penalty.
+    Adds to d_before and d_motors, which may be the same. `slopes` (3, LANES) are the derivatives of the loss with
+    respect to half the sums of squared travel and elevation errors, and to cost and penalty.
     """
     s = Settings(*settings_of(settings))
-    h = s.period / SUBSTEPS
     for i in range(LANES):
         on = alive[i]
         # loss at the end of the period
@@ -405,35 +581,18 @@ def fly_adjoint(
             d_measured[2 * axis + 1, i] = on * s.rate_decay * rate
 
         p = parameters_of(body, i)
-        decay, k = body[LAG_DECAY, i], body[K_PLUS, i]
-        u_f, u_b = motors[0, i], motors[1, i]
-        first, w_f, w_b = six(x, i), rotors[0, i], rotors[1, i]
-        m_f, m_b = u_f + decay * (w_f - u_f), u_b + decay * (w_b - u_b)
-        e_f, e_b = u_f + decay * (m_f - u_f), u_b + decay * (m_b - u_b)
-        n_f, n_b = u_f + decay * (e_f - u_f), u_b + decay * (e_b - u_b)
-        l_f, l_b = u_f + decay * (n_f - u_f), u_b + decay * (n_b - u_b)
-        inputs1 = rotor_inputs(w_f, w_b, k), rotor_inputs(m_f, m_b, k), rotor_inputs(e_f, e_b, k)
-        inputs2 = inputs1[2], rotor_inputs(n_f, n_b, k), rotor_inputs(l_f, l_b, k)
-        second = rk4_step(derivative, first, inputs1, h, p)
-        d, v3, v4, v5 = rk4_adjoint(second, inputs2, h, p, d)
-        d, v1, v2, v3_too = rk4_adjoint(first, inputs1, h, p, d)
-        # from the inputs to the rotor voltages, backwards in time
-        d_f = d_rotors[0, i] * on + 2.0 * k * l_f * (v5[0] + v5[1])
-        d_b = d_rotors[1, i] * on + 2.0 * k * l_b * (v5[0] - v5[1])
-        to_f, to_b = (1.0 - decay) * d_f, (1.0 - decay) * d_b
-        d_f = decay * d_f + 2.0 * k * n_f * (v4[0] + v4[1])
-        d_b = decay * d_b + 2.0 * k * n_b * (v4[0] - v4[1])
-        to_f, to_b = to_f + (1.0 - decay) * d_f, to_b + (1.0 - decay) * d_b
-        d_f = decay * d_f + 2.0 * k * e_f * (v3[0] + v3_too[0] + v3[1] + v3_too[1])
-        d_b = decay * d_b + 2.0 * k * e_b * (v3[0] + v3_too[0] - v3[1] - v3_too[1])
-        to_f, to_b = to_f + (1.0 - decay) * d_f, to_b + (1.0 - decay) * d_b
-        d_f = decay * d_f + 2.0 * k * m_f * (v2[0] + v2[1])
-        d_b = decay * d_b + 2.0 * k * m_b * (v2[0] - v2[1])
-        to_f, to_b = to_f + (1.0 - decay) * d_f, to_b + (1.0 - decay) * d_b
-        d_rotors[0, i] = decay * d_f + 2.0 * k * w_f * (v1[0] + v1[1])
-        d_rotors[1, i] = decay * d_b + 2.0 * k * w_b * (v1[0] - v1[1])
-        d_motors[0, i] += to_f
-        d_motors[1, i] += to_b
+        w, u0, u1 = (rotors[0, i], rotors[1, i]), (before[0, i], before[1, i]), (motors[0, i], motors[1, i])
+        step0, step1 = first_step(s, body, i), second_step(s, body, i)
+        middle = fly_part(six(x, i), w, u0, step0, body, i, p)
+        d_w = on * d_rotors[0, i], on * d_rotors[1, i]
+        second = fly_part_adjoint(middle[0], middle[1], u1, step1, body, i, p, d, d_w)
+        first = fly_part_adjoint(six(x, i), w, u0, step0, body, i, p, second[0], second[1])
+        d, d_w = first[0], first[1]
+        d_rotors[0, i], d_rotors[1, i] = d_w
+        d_motors[0, i] += second[2][0]
+        d_motors[1, i] += second[2][1]
+        d_before[0, i] += first[2][0]
+        d_before[1, i] += first[2][1]
         d_x[0, i], d_x[1, i], d_x[2, i], d_x[3, i], d_x[4, i], d_x[5, i] = d
 
 
@@ -445,15 +604,15 @@ def command_adjoint(settings: Any, base: Any, action: Any, alive: Any, u: Any, w
         for i in range(LANES):
             beyond = alive[i] * weight[i] * s.period * s.cost_weight * excess_slope(u[motor, i], s.u_min, s.u_max)
             d = d_u[motor, i] + beyond
-            whole = clip(base[motor, i], s.u_low, s.u_high) + s.scale * action[motor, i]
+            whole = clip(base[motor, i], s.base_low, s.base_high) + s.scale * action[motor, i]
             d *= inside(whole, s.u_low, s.u_high)
             d_action[motor, i] = s.scale * d
-            d_base[motor, i] = d * inside(base[motor, i], s.u_low, s.u_high)
+            d_base[motor, i] = d * inside(base[motor, i], s.base_low, s.base_high)
 
 
 def settings_of(a: Any) -> Any:
     """Unpack the array of `Settings` to a tuple."""
-    return a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12], a[13]
+    return a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12], a[13], a[14], a[15], a[16]
 
 
 # Elementwise part of the GRU cell.
@@ -521,17 +680,32 @@ class Kernels(NamedTuple):
     gru_adjoint: Callable
 
 
+VARIANTS: dict[int, dict[str, Callable]] = {
+    NUMBERS + COEFFICIENTS: {},
+    NUMBERS + RIGID: {
+        "parameters_of": rigid_parameters_of,
+        "derivative": rigid_derivative,
+        "derivative_adjoint": rigid_derivative_adjoint,
+    },
+    FLEET: {
+        "parameters_of": fleet_parameters_of,
+        "derivative": fleet_derivative,
+        "derivative_adjoint": fleet_derivative_adjoint,
+        "thrusts": fleet_thrusts,
+        "slopes_of": fleet_slopes,
+        "first_step": fleet_first_step,
+        "second_step": fleet_second_step,
+        "zero_of": fleet_zero_of,
+        "base_voltage": power_base_voltage,
+        "base_voltage_slope": power_base_voltage_slope,
+    },
+}
+
+
 @cache
-def kernels(dtype: type, rigid: bool) -> Kernels:
-    """Compile the flight in double precision, by (3) or as a rigid body, and the network in a dtype."""
-    names: dict[str, Callable] = {"sin": fast_math.sine, "cos": fast_math.cosine}
-    if rigid:
-        names |= {
-            "parameters_of": rigid_parameters_of,
-            "derivative": rigid_derivative,
-            "derivative_adjoint": rigid_derivative_adjoint,
-        }
-    double = Compiler(np.float64, names)
+def kernels(dtype: type, rows: int) -> Kernels:
+    """Compile the flight in double precision, for helicopters with that number of rows, and the network in a dtype."""
+    double = Compiler(np.float64, {"sin": fast_math.sine, "cos": fast_math.cosine, **VARIANTS[rows]})
     flight = map(double.entry, (observe, observe_adjoint, fly, fly_adjoint, command_adjoint))
     return Kernels(*flight, *map(Compiler(dtype).entry, (gru, gru_adjoint)))
 
@@ -540,7 +714,7 @@ class Rollout:
     """Flights of a batch, forwards and backwards, with their working arrays.
 
     Args:
-        task: common data of all flights.
+        task: common data of all flights; another task of at most as many control periods may replace it.
         hidden: number H of hidden states.
         dtype: precision of the network.
     """
@@ -569,7 +743,20 @@ class Rollout:
 
     def kernels(self, batch: Batch) -> Kernels:
         """Compiled functions for the helicopters of a batch."""
-        return kernels(self.dtype, len(batch.body) == NUMBERS + RIGID)
+        return kernels(self.dtype, len(batch.body))
+
+    def arrivals(self, t: int) -> tuple[Any, Any]:
+        """Indices of the commanded voltages that the motors have in the first and in the second part of a period."""
+        if self.batch.delay is None:
+            return t, t
+        rows = t + self.task.delay - self.batch.delay
+        motors = np.array([[0], [1]])
+        return (rows - 1, motors, np.arange(LANES)), (rows, motors, np.arange(LANES))
+
+    def drift(self, t: int) -> None:
+        """Set the share of the thrust that is left in a control period."""
+        if self.batch.drift is not None:
+            self.batch.body[EFFECT] = 1.0 - self.batch.drift * (t + 0.5) * self.settings.period
 
     def forward(self, weights: Weights, batch: Batch) -> Outcome:
         """Fly the batch."""
@@ -593,10 +780,12 @@ class Rollout:
             np.matmul(weights.output, self.h[t + 1], out=self.output)
             self.output += weights.output_bias[:, None]
             np.tanh(self.output, out=self.action[t + 1])
+            before, motors = (self.u[where] for where in self.arrivals(t))
+            self.drift(t)
             k.fly(
-                s, batch.body, self.x[t], self.rotors[t], self.u[t], self.measured[t], self.base[t], self.action[t + 1],
-                self.alive[t], task.x_ref[t + 1], self.u[t + delay], self.x[t + 1], self.rotors[t + 1],
-                self.measured[t + 1], self.alive[t + 1], sums,
+                s, batch.body, self.x[t], self.rotors[t], before, motors, self.measured[t], self.base[t],
+                self.action[t + 1], self.alive[t], task.x_ref[t + 1], self.u[t + delay], self.x[t + 1],
+                self.rotors[t + 1], self.measured[t + 1], self.alive[t + 1], sums,
             )  # fmt: skip
         travel, elevation = np.degrees(np.sqrt(sums[:2] / T))
         return Outcome(travel, elevation, sums[2], sums[3], 1.0 - self.alive[T])
@@ -632,10 +821,15 @@ class Rollout:
         g = Weights(*map(np.zeros_like, w))
         hidden_t, seen_t, output_t = (np.ascontiguousarray(m.T) for m in (w.hidden, w.seen, w.output))
         for t in reversed(range(T)):
+            first, second = self.arrivals(t)
+            self.drift(t)
+            d_before, d_motors = d_u[first], d_u[second]
             k.fly_adjoint(
-                s, batch.body, self.x[t], self.rotors[t], self.u[t], self.alive[t], task.x_ref[t + 1], self.x[t + 1],
-                slopes, d_x, d_rotors, d_measured, d_u[t],
+                s, batch.body, self.x[t], self.rotors[t], self.u[first], self.u[second], self.alive[t],
+                task.x_ref[t + 1], self.x[t + 1], slopes, d_x, d_rotors, d_measured, d_before, d_motors,
             )  # fmt: skip
+            if batch.delay is not None:  # otherwise these are views
+                d_u[first], d_u[second] = d_before, d_motors
             k.command_adjoint(
                 s, self.base[t], self.action[t + 1], self.alive[t], self.u[t + delay], slopes[2], d_u[t + delay],
                 d_action, d_base,

@@ -101,7 +101,7 @@ def check_trials(trials: Sequence[train.Args], args: Args) -> list[train.Complet
             own = train.with_defaults(replace(trial, out=args.out / "runs", resume=True, progress=False))
             find_plant(own.plant)
             train.check(own)
-            train.reference_of(own)
+            train.references_of(own)
             folder = train.run_folder(own)
         except (ValueError, TypeError) as error:
             raise ValueError(f"study, trial {number}: {error}") from error

@@ -43,8 +43,10 @@ from heli_gym.baselines.control.residual import (
 from heli_gym.baselines.control.weights import weights_file
 from heli_gym.baselines.evaluation.metrics import HALVING_ERROR, Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many
+from heli_gym.baselines.planning.sampler import ManeuverSampler
 from heli_gym.cli import command, parse
 from heli_gym.env import reference_for
+from heli_gym.parameters import Limits
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.rig import PAPER, find_rig, same_dynamics
 from heli_gym.storage import atomic_write, check_folder
@@ -60,6 +62,8 @@ from heli_gym.vector_env import Heli3DOFVectorEnv
 CONTROL_PERIOD = 0.02  # s
 START_SPREAD_DEG = 5.0
 VALIDATION_SEED = HELD_OUT_SEED // 2  # seeds of training are smaller, seeds of evaluations greater
+DRAWN = "drawn"
+DRAWN_DURATIONS = (8.0, 10.0, 12.0, 15.0)  # s
 EARLY_END_PENALTY = 100.0  # score penalty for zero flight time
 SCRATCH = "middle-voltage"  # base of an agent that flies alone: the middle of the voltage range
 
@@ -69,14 +73,15 @@ class Args:
     """Train an agent. Settings without a value have the learner's default; see `DEFAULTS`."""
 
     algo: Literal["apg", "ppo", "sac", "td3", "tqc"] = "apg"
-    plant: str = "lab"  # plant of the training, lab or rigid; every flight draws it anew
+    plant: str = "lab"  # plant of the training, lab, rigid or fleet; every flight draws it anew
     mode: Literal["residual", "scratch"] = "residual"  # correct the base policy, or fly alone
     base: str = ""  # policy to correct; by default "feedforward+tvlqr@PLANT", the paper's with weights for the plant
     scale: float | None = None  # V, greatest correction; by default the amplifier's range, alone half of it
     feature_groups: tuple[str, ...] | None = None  # inputs of the agent, of `residual.FEATURE_GROUPS`
     privileged: bool = True  # PPO: the critic also reads true errors and the plant's draw
     objective: Literal["tracking", "environment"] = "tracking"  # travel, elevation and cost, or the full reward
-    reference: str = "travel-360"
+    reference: str = "travel-360"  # or "drawn", for APG: random maneuvers, for a policy for any
+    references: int = 32  # APG: number of drawn references
     rig: str = "paper"  # rig of the training: a name, or a .toml file
     force: bool = False  # fly a plan even if it is for another rig
     seed: int = 0
@@ -89,6 +94,7 @@ class Args:
     learning_rate: float | None = None  # initial value; it falls linearly to a twentieth
     max_grad_norm: float = 2.0  # APG: greatest norm of the clipped gradient
     cost_weight: float = 0.35  # APG: weight of the cost, in degrees of RMS error per second
+    elevation_weight: float = 1.0  # APG: weight of the elevation error; the travel error has weight 1
     gamma: float = 0.99  # discount per control period
     gae_lambda: float = 0.97  # PPO: advantage estimate; travel reacts to a voltage after a second
     log_std: float = -2.7  # PPO: initial logarithm of the standard deviation of the exploration weights
@@ -147,7 +153,7 @@ def with_defaults(args: Args) -> CompleteArgs:
 
 def check(args: CompleteArgs) -> None:
     """Raise ValueError for invalid settings."""
-    sizes = ("steps", "envs", "chunk", "cell", "hold", "rollout", "epochs", "buffer", "validation")
+    sizes = ("references", "steps", "envs", "chunk", "cell", "hold", "rollout", "epochs", "buffer", "validation")
     for name, least in (*dict.fromkeys(sizes, 1).items(), ("batch", 2)):
         if getattr(args, name) < least:
             raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least}")
@@ -159,14 +165,13 @@ def check(args: CompleteArgs) -> None:
     for name in ("learning_rate", "max_grad_norm"):
         if not (math.isfinite(getattr(args, name)) and getattr(args, name) > 0.0):
             raise ValueError(f"{name} = {getattr(args, name)}: must be a positive number")
-    for name in ("cost_weight", "log_std"):
+    for name in ("cost_weight", "elevation_weight", "log_std"):
         if not math.isfinite(getattr(args, name)):
             raise ValueError(f"{name} = {getattr(args, name)}: must be a finite number")
     if args.base.partition("@")[0] not in POLICIES:
         raise ValueError(f"base = {args.base!r}: must be one of {', '.join(map(repr, POLICIES))}")
-    rig = find_rig(args.rig)
-    if args.algo == "apg" and not rig.thrust_map.is_quadratic:
-        raise ValueError(f"algo = 'apg': must be another on the rig {rig.name!r}, whose thrust map is not (2)")
+    if args.reference == DRAWN and args.algo != "apg":
+        raise ValueError(f"reference = {DRAWN!r}: must be one maneuver for {args.algo}")
     if args.algo == "apg" and args.mode == "scratch":
         raise ValueError("mode = 'scratch': must be 'residual' for apg, which differentiates a base policy")
     if not 0 <= args.seed < 10_000:
@@ -197,7 +202,8 @@ def draws_of(args: CompleteArgs) -> int:
     """Number of seeds in a chunk."""
     if args.algo != "apg":
         return args.envs  # later flights of a helicopter continue its generator
-    return args.envs * -(-args.chunk // control_steps(reference_of(args).duration, CONTROL_PERIOD))
+    shortest = min(reference.duration for reference in references_of(args))
+    return args.envs * -(-args.chunk // control_steps(shortest, CONTROL_PERIOD))
 
 
 @cache
@@ -206,9 +212,27 @@ def planned_reference(reference: str, rig: str, force: bool) -> Trajectory:
     return reference_for(reference, rig, force)
 
 
-def reference_of(args: Args) -> Trajectory:
-    """Reference of the training."""
-    return planned_reference(args.reference, args.rig, args.force)
+def references_of(args: Args) -> list[Trajectory]:
+    """References of the training."""
+    if args.reference == DRAWN:
+        return drawn_references(args.rig, 1000 * args.seed, args.references)
+    return [planned_reference(args.reference, args.rig, args.force)]
+
+
+def validation_references(args: Args) -> list[Trajectory]:
+    """References of the validation; drawn ones are others than those of any training."""
+    return drawn_references(args.rig, VALIDATION_SEED, 8) if args.reference == DRAWN else references_of(args)
+
+
+@cache
+def drawn_references(rig: str, seed: int, count: int) -> list[Trajectory]:
+    """Plans of random maneuvers within the limits (9), of different durations, with seeds from `seed` on."""
+    drawn = []
+    for k in range(seed, seed + count):
+        rng = np.random.default_rng(k)
+        duration = DRAWN_DURATIONS[k % len(DRAWN_DURATIONS)]
+        drawn.append(ManeuverSampler(duration, limits=Limits(), rig=find_rig(rig))(rng))
+    return drawn
 
 
 def run_folder(args: CompleteArgs) -> Path:
@@ -219,6 +243,8 @@ def run_folder(args: CompleteArgs) -> Path:
         *([] if args.privileged else ["privileged"]),
     ):
         method += f"-without-{name}"
+    if args.reference == DRAWN:
+        method += "-any-maneuver"
     if args.init:
         method += "-initialised"
     rig = find_rig(args.rig)
@@ -272,13 +298,17 @@ def make_residual_policy(args: CompleteArgs, reference: Any, network: Any = None
     )
 
 
-def make_helicopters(args: CompleteArgs, reference: Any) -> Heli3DOFVectorEnv | ResidualVecEnv:
-    """Helicopters of the training."""
-    envs = Heli3DOFVectorEnv(
-        args.envs, args.plant, reference, start_spread_deg=START_SPREAD_DEG, autoreset_mode="SameStep", rig=args.rig
-    )
+def make_helicopters(args: CompleteArgs) -> list[Heli3DOFVectorEnv] | ResidualVecEnv:
+    """Helicopters of the training; for APG on each of its references."""
+    fleets = [
+        Heli3DOFVectorEnv(
+            args.envs, args.plant, reference, start_spread_deg=START_SPREAD_DEG, autoreset_mode="SameStep", rig=args.rig
+        )
+        for reference in references_of(args)
+    ]
     if args.algo == "apg":
-        return envs
+        return fleets
+    envs, reference = fleets[0], fleets[0].reference_of(0)
     privileged = args.privileged and args.algo == "ppo"
     return ResidualVecEnv(envs, make_residual_policy(args, reference), args.objective, privileged=privileged)
 
@@ -287,12 +317,13 @@ def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
     """New agent with small initial actions: its last layer is near zero."""
     if args.algo == "apg":
         agent = APG(
-            make_residual_policy(args, helicopters.reference_of(0)),
+            [make_residual_policy(args, reference) for reference in references_of(args)],
             helicopters,
             args.learning_rate,
             hidden=args.cell,
             max_grad_norm=args.max_grad_norm,
             cost_weight=args.cost_weight,
+            elevation_weight=args.elevation_weight,
             seed=args.seed,
         )
         if args.init:
@@ -356,13 +387,15 @@ def network_of(agent: APG | BaseAlgorithm) -> Network | RecurrentNetwork:
 
 
 def validate(
-    args: CompleteArgs, agent: APG | BaseAlgorithm | None, envs: Heli3DOFVectorEnv, seed: int
+    args: CompleteArgs, agent: APG | BaseAlgorithm | None, fleets: list[Heli3DOFVectorEnv], seed: int
 ) -> dict[str, Any]:
     """Mean metrics of flights with seeds from `seed` on, with the agent or, without one, the base alone."""
-    reference = envs.reference_of(0)
     network = network_of(agent) if agent else lambda features: np.zeros((2, *features.shape[1:]))
-    flights = fly_many(envs, make_residual_policy(args, reference, network), seed)
-    metrics = [flight_metrics(flight, reference, envs.voltage_limits) for flight in flights]
+    metrics = []
+    for envs in fleets:
+        reference = envs.reference_of(0)
+        flights = fly_many(envs, make_residual_policy(args, reference, network), seed + len(metrics))
+        metrics += [flight_metrics(flight, reference, envs.voltage_limits, envs.pitch_limit) for flight in flights]
     return {name: np.mean([getattr(m, name) for m in metrics], axis=0).tolist() for name in Metrics._fields}
 
 
@@ -371,7 +404,8 @@ def score(args: Args, row: dict[str, Any]) -> float:
     if args.objective == "environment":
         return row["episode_return"]
     travel, elevation = np.radians(row["rms_error_deg"][:2]) / HALVING_ERROR
-    missing_share = 1.0 - row["flown"] / reference_of(args).duration
+    duration = np.mean([reference.duration for reference in validation_references(args)])
+    missing_share = 1.0 - row["flown"] / float(duration)
     return row["success"] - 0.5 * (travel + elevation) - 0.25 * row["cost"] - EARLY_END_PENALTY * missing_share
 
 
@@ -386,11 +420,18 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
     name = "/".join(folder.parts[-3:])
     begun = check_begun(args, folder)
     torch.set_num_threads(1)
-    reference = reference_of(args)
-    helicopters = make_helicopters(args, reference)
-    validation_envs = Heli3DOFVectorEnv(
-        args.validation, args.plant, reference, start_spread_deg=START_SPREAD_DEG, rig=args.rig
-    )
+    helicopters = make_helicopters(args)
+    references = validation_references(args)
+    validation_envs = [
+        Heli3DOFVectorEnv(
+            -(-args.validation // len(references)),
+            args.plant,
+            reference,
+            start_spread_deg=START_SPREAD_DEG,
+            rig=args.rig,
+        )
+        for reference in references
+    ]
     agent = make_agent(args, helicopters)
     checkpoint = last_checkpoint(folder / "checkpoints") if begun else None
     (folder / "checkpoints").mkdir(parents=True, exist_ok=True)  # after all checks: an error leaves no folder

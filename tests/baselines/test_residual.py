@@ -103,6 +103,17 @@ def test_a_recurrent_policy_flies_many_as_it_flies_each_and_forgets_at_a_reset()
         assert_allclose(fly(env, policy, seed=7 + k).x, flight.x, atol=1e-6)
 
 
+def test_the_step_of_one_helicopter_is_that_of_many_even_far_from_the_reference():
+    rng = np.random.default_rng(0)
+    alone, together = (make_policy("residual", REFERENCE) for _ in range(2))
+    for k in range(30):
+        measurement = together.x[:, k] + rng.standard_normal(6) * (2.0 if k < 10 else 0.05)
+        u, both = alone(0.02 * k, measurement), together(0.02 * k, measurement[:, None])
+        assert_allclose(u, both[:, 0], atol=1e-11)
+    assert alone.single_step is not None and together.single_step is None
+    assert np.isnan(alone(0.6, np.full(6, np.nan))).all()
+
+
 def test_a_correction_has_authority_where_the_base_saturates():
     base, measurement = make_policy("feedforward+tvlqr", SHORT), START + np.array([0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
     assert base(0.0, measurement).max() > 12.0

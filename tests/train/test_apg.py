@@ -84,6 +84,20 @@ def test_a_saved_agent_goes_on_as_it_would_have(tmp_path):
         assert torch.equal(a, b)
 
 
+def test_updates_fly_one_reference_after_the_other():
+    references = SHORT, find_reference("travel-180")
+    policies = [
+        ResidualPolicy(make_policy("feedforward+tvlqr@lab", r), r, None, 12.0, feature_groups=GROUPS, ahead=AHEAD)
+        for r in references
+    ]
+    learner = APG(policies, [Heli3DOFVectorEnv(LANES, "lab", r) for r in references], hidden=4)
+    periods = [LANES * (policy.x.shape[1] - 1) for policy in policies]
+    assert periods[0] != periods[1]
+    for number, flown in enumerate((periods[0], sum(periods), sum(periods) + periods[0]), 1):
+        learner.update()
+        assert learner.num_timesteps == flown and learner._n_updates == number
+
+
 def test_features_that_the_network_is_not_made_for_are_refused():
     envs = Heli3DOFVectorEnv(LANES, "lab", SHORT)
     policy = ResidualPolicy(make_policy("feedforward+tvlqr", SHORT), SHORT, None, 12.0)
