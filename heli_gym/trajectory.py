@@ -1,5 +1,6 @@
 """Maneuver (a transition to plan) and Trajectory (a plan or a flight)."""
 
+import functools
 import math
 import os
 from dataclasses import dataclass, field
@@ -95,14 +96,14 @@ class Maneuver:
             )
         if not (isinstance(self.duration, Real) and math.isfinite(self.duration) and self.duration > 0.0):
             raise ValueError(f"duration = {self.duration!r}: must be a positive, finite number of seconds")
+        low, high = rig.thrust_bounds(self.limits.u)
         for name in ("start", "goal"):
             point = np.asarray(getattr(self, name))
             if point.dtype.kind not in "iuf" or point.shape != (2,) or not np.isfinite(point).all():
                 raise ValueError(f"{name} = {getattr(self, name)!r}: must be finite (travel, elevation) in rad")
             object.__setattr__(self, name, (float(point[0]), float(point[1])))
             elevation = float(point[1])
-            thrust_sum = float(hover_input(elevation, self.parameters)[0])
-            low, high = rig.thrust_bounds(self.limits.u)
+            thrust_sum = hover_thrust_sum(elevation, self.parameters)
             if abs(elevation) >= math.pi / 2 or not low < 0.5 * thrust_sum < high:
                 front, back = rig.hover_voltage(elevation)
                 volts = f"{front:.2f} V on each motor" if front == back else f"{front:.2f} and {back:.2f} V"
@@ -139,6 +140,12 @@ class Maneuver:
             f"travel {travel:g} to {new_travel:g} deg, elevation {elevation:g} to {lift}{more}"
             f"{', periodic,' if self.periodic else ''} in {self.duration:g} s within {self.limits}"
         )
+
+
+@functools.lru_cache(maxsize=1024)
+def hover_thrust_sum(elevation: float, parameters: HelicopterParameters) -> float:
+    """Sum of the thrusts in N in hover at an elevation in rad."""
+    return float(hover_input(elevation, parameters)[0])
 
 
 def validate_floor(floor: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:

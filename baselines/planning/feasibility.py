@@ -1,5 +1,6 @@
 """Common parts of all planners: time limit, validation of plans, and the error for an infeasible maneuver."""
 
+import functools
 import math
 import time
 from dataclasses import dataclass, field, replace
@@ -8,8 +9,9 @@ from itertools import pairwise
 import numpy as np
 
 from heli_gym.baselines.paper.boundary_value import SAMPLE_PERIOD, sample_times
-from heli_gym.baselines.planning.path import path_fault
+from heli_gym.baselines.planning.path import RECOVERY, path_fault, pitch_window
 from heli_gym.model import fan_thrusts, hover_input, linearise, virtual_input
+from heli_gym.parameters import HelicopterParameters
 from heli_gym.trajectory import Maneuver, Trajectory
 
 ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s, from the end of the replayed plan to the goal, per turn of travel
@@ -133,11 +135,17 @@ def replay_ends(maneuver: Maneuver, duration: float) -> np.ndarray:
 
     An open-loop flight about an unstable hover misses the goal, however exact its plan is.
     """
-    rates = [
-        np.linalg.eigvals(linearise(x, hover_input(x[2], maneuver.parameters), maneuver.parameters)[0]).real.max()
-        for x in ([0.0, 0.0, elevation, 0.0, 0.0, 0.0] for _, elevation in (maneuver.start, maneuver.goal))
-    ]
+    # of the start only if it is no measured state, since one rate suffices for an estimate
+    points = (maneuver.goal,) if maneuver.start_state is not None else (maneuver.start, maneuver.goal)
+    rates = [growth_rate(elevation, maneuver.parameters) for _, elevation in points]
     return np.linspace(0.0, duration, 1 + math.ceil(max(1.0, max(rates) * duration / GROWTH)))
+
+
+@functools.lru_cache(maxsize=256)
+def growth_rate(elevation: float, parameters: HelicopterParameters) -> float:
+    """Largest growth rate in 1/s of errors about hover at an elevation in rad."""
+    A, _ = linearise([0.0, 0.0, elevation, 0.0, 0.0, 0.0], hover_input(elevation, parameters), parameters)
+    return float(np.linalg.eigvals(A).real.max())
 
 
 def end_miss(maneuver: Maneuver, trajectory: Trajectory) -> float:
@@ -166,12 +174,13 @@ def fault_of(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
         miss += np.abs(x - trajectory.x[:, end]).max()
         pitch += extremes
     miss += end_miss(maneuver, trajectory)
+    late = 0 if pitch_window(maneuver) == limits.pitch else min(np.searchsorted(t, RECOVERY), len(t) - 1)
     if not miss <= arrival_tolerance(maneuver):
         return f"the plan, replayed, misses the goal by {miss:.2g} rad or rad/s"
     for name, unit, values, (low, high) in (
         ("voltages", "V", trajectory.u, limits.u),
-        ("pitch", "rad", trajectory.x[4], limits.pitch),
-        ("replayed pitch", "rad", np.array(pitch), limits.pitch),
+        ("pitch", "rad", trajectory.x[4, late:], limits.pitch),
+        ("replayed pitch", "rad", np.array(pitch), pitch_window(maneuver)),
     ):
         excess = max(low - values.min(), values.max() - high)
         if excess > LIMIT_TOLERANCE:

@@ -8,6 +8,9 @@ import numpy as np
 from heli_gym.trajectory import Maneuver, Trajectory
 
 VIA_TOLERANCE = 1e-3  # rad, of via points
+RECOVERY = 0.8  # s, in which a pitch that starts outside its limits returns within them
+MARGIN = 0.02  # rad, of a pitch outside its limits
+BRAKING = 2.0  # rad/s², pitch acceleration that stops a pitch rate towards a limit
 PATH_TOLERANCE = 1e-6  # rad, rad/s, and share of a slew rate: tolerance of path constraints
 
 
@@ -60,6 +63,17 @@ def excesses(maneuver: Maneuver, t: np.ndarray, x: np.ndarray, u: np.ndarray) ->
     if path.floor is not None:
         found["floor"] = float((x[2] - np.interp(x[0], *path.floor)).max())
     return found
+
+
+def pitch_window(maneuver: Maneuver) -> tuple[float, float]:
+    """Pitch limits in rad during RECOVERY: wider than the maneuver's if a measured start is, or will be, outside."""
+    low, high = maneuver.limits.pitch
+    if maneuver.start_state is None:
+        return low, high
+    pitch, rate = maneuver.start_state[4:]
+    ahead = pitch + 0.5 * rate * abs(rate) / BRAKING
+    lowest, highest = min(pitch, ahead), max(pitch, ahead)
+    return (low if lowest >= low else lowest - MARGIN), (high if highest <= high else highest + MARGIN)
 
 
 def passages(maneuver: Maneuver, t: np.ndarray, x: np.ndarray) -> np.ndarray:

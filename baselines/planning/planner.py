@@ -227,8 +227,33 @@ def auto_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Traject
 
 
 def spline_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Trajectory | None:
-    """Smoothest spline from a plan of a similar maneuver; None if that fails."""
-    return validated(maneuver, spline.plan_near(maneuver, near), clock)
+    """Smoothest spline from a plan of a similar maneuver; None if that fails.
+
+    From a measured state, raises InfeasibleManeuver with the shortest duration if that is longer than the maneuver's.
+    """
+    if maneuver.start_state is None or maneuver.via:
+        return validated(maneuver, spline.plan_near(maneuver, near), clock)
+    found = validated(maneuver, spline.replan(maneuver, near, is_fixed=True), clock)
+    if found is not None:
+        return found
+    fastest = spline.fastest_from(maneuver)
+    if fastest is not None and fastest.duration > maneuver.duration:
+        raise slower_than_requested(maneuver, fastest)
+    found = validated(maneuver, spline.replan(maneuver, near, is_fixed=False), clock)
+    if found is None and fastest is not None:
+        found = validated(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check), clock)
+    if found is not None:
+        return found
+    for ratio in spline.LADDER:  # short plans, for which there is no fastest one by the same solver
+        longer = replace(maneuver, duration=ratio * maneuver.duration)
+        found = validated(longer, spline.plan_few(longer), clock)
+        if found is not None:
+            if ratio == 1.0:
+                return found
+            raise InfeasibleManeuver(
+                f"no plan for {maneuver}; the shortest found takes {longer.duration:.2f} s", longer.duration
+            )
+    return None
 
 
 def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:

@@ -17,12 +17,15 @@ from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from heli_gym.baselines.paper.boundary_value import RISE, sample_times
 from heli_gym.baselines.paper.normal_form import internal_dynamics, travel_damping
-from heli_gym.baselines.planning.path import excesses, passages, path_limits
-from heli_gym.model import dynamics, hover_input, virtual_input
-from heli_gym.trajectory import Maneuver, Trajectory
+from heli_gym.baselines.planning.path import RECOVERY, excesses, passages, path_limits, pitch_window
+from heli_gym.model import dynamics, virtual_input
+from heli_gym.trajectory import Maneuver, Trajectory, hover_thrust_sum
 
 SEGMENTS = (30, 60)  # of the splines, tried in this order: fewer are faster and smoother
 SHORTEST_SEGMENTS = (36, 72, 144)  # the shortest durations take more segments
+REPLAN_DENSITY, FEWEST, REPLAN_ITERATIONS = 2.5, 12, 30  # segments per s, fewest segments, and iterations in flight
+LONGER, QUICK = (2.0, 0.7), 1e-3  # s beyond the requested duration to search for one that works; its final barrier
+LADDER = (1.0, 1.15, 1.35, 1.6, 2.0, 2.5, 3.5)  # ratios of durations to the requested one, for short plans in flight
 REST = 3  # coefficients at each end, fixed by its position with zero velocity and acceleration
 SMOOTH, SOONEST = 1e-3, 1e-6  # final barrier parameter: smoothest plan, which seldom touches limits; fastest plan
 COLD, LUKEWARM, WARM = 0.1, 1e-2, 1e-3  # initial one: from a guess, from a solution of another or of the same problem
@@ -62,7 +65,8 @@ class Bounds(NamedTuple):
     on_the_way: bool = False
     tighter: Mapping[str, float] = MappingProxyType({})
     slopes: np.ndarray | None = None  # (2, N) of the thrust maps in N/V along the previous plan, for the slew rate
-    vias: np.ndarray | None = None  # (V, 3) via points, shifted by their miss in the previous plan
+    vias: np.ndarray | None = None  # (V, 2) shifts of the via points in rad, by their miss in the previous plan
+    iterations: int | None = None  # largest number
 
 
 def guess(maneuver: Maneuver, duration: float, segments: int) -> Spline:
@@ -120,7 +124,7 @@ def tilted_acceleration(maneuver: Maneuver) -> float:
     return float(min(tilted, key=abs))
 
 
-def guess_from(maneuver: Maneuver, near: Trajectory, segments: int) -> Spline:
+def guess_from(maneuver: Maneuver, near: Trajectory, segments: int, is_fixed: bool = True) -> Spline:
     """Spline that approximates a plan between the maneuver's ends; from a state in flight, the plan's last part."""
     share = np.arange(-2, segments + 3) / segments
     begin = 0.0 if maneuver.start_state is None else max(0.0, near.duration - maneuver.duration)
@@ -128,7 +132,7 @@ def guess_from(maneuver: Maneuver, near: Trajectory, segments: int) -> Spline:
     y = x[[2, 4]].T
     coefficients = (8.0 * y[1:-1] - y[:-2] - y[2:]) / 6.0  # quasi-interpolant, exact for cubic polynomials
     accelerations = None
-    if maneuver.start_state is not None:
+    if maneuver.start_state is not None and is_fixed:
         at_start = dynamics(x[:, 2], virtual_input(near.rig.thrust(u[:, 2])), maneuver.parameters)
         accelerations = at_start[3], at_start[5]
     coefficients = with_ends(coefficients, maneuver, maneuver.duration, accelerations)
@@ -179,9 +183,15 @@ def end_rows(maneuver: Maneuver, held: tuple[int, int]) -> tuple[list[int], list
     return list(rows), [float(value) for value in rows.values()]
 
 
-def pitch_bounds(maneuver: Maneuver, held: tuple[int, int], count: int) -> tuple[np.ndarray, np.ndarray]:
+def pitch_bounds(
+    maneuver: Maneuver, held: tuple[int, int], count: int, interval: float
+) -> tuple[np.ndarray, np.ndarray]:
     """Bounds (N,) in rad of the free pitch coefficients: the limits, but wider where an end in motion requires it."""
     low, high = (np.full(count, limit) for limit in maneuver.limits.pitch)
+    window = pitch_window(maneuver)
+    if window != maneuver.limits.pitch:
+        early = slice(0, max(0, math.floor(RECOVERY / interval) - held[0] - 1))  # their splines end within RECOVERY
+        low[early], high[early] = window
     for fixed, order, x in zip(held, (1, -1), maneuver.ends):
         if not fixed and not maneuver.periodic and (x[4] or x[5]):
             low[::order][0], high[::order][0] = -STEEPEST, STEEPEST
@@ -262,7 +272,7 @@ def optimise(
     low, high = (
         np.concatenate((np.full(points, thrust), pitch, on_the_way))
         for thrust, pitch, on_the_way in zip(
-            bounds.thrusts, pitch_bounds(maneuver, held, free), (row_low, row_high), strict=True
+            bounds.thrusts, pitch_bounds(maneuver, held, free, duration / segments), (row_low, row_high), strict=True
         )
     )
     rows, targets, vias = with_equations(maneuver, rows, held, duration, bounds)
@@ -282,12 +292,12 @@ def optimise(
         vias,
         floor,
         p,
-        ((rates[0], rates[1]), time_weight, effort, 0.5 * float(hover_input(maneuver.goal[1], p)[0])),
+        ((rates[0], rates[1]), time_weight, effort, 0.5 * hover_thrust_sum(maneuver.goal[1], p)),
         (time_weight > 0.0, maneuver.periodic),
         barrier,
         last_barrier,
         TOLERANCE,
-        ITERATIONS["fastest" if time_weight else "fixed"],
+        bounds.iterations or ITERATIONS["fastest" if time_weight else "fixed"],
     )
     if not converged:
         return None
@@ -383,7 +393,7 @@ def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[
 
 
 def solve_within_limits(
-    maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD
+    maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD, iterations: int | None = None
 ) -> tuple[Spline, Trajectory] | None:
     """Optimal spline and its trajectory within the limits; None if there is none. `optimum` is `smoothest` or another.
 
@@ -395,7 +405,7 @@ def solve_within_limits(
     over: dict[str, float] = {}
     on_the_way, slopes, vias = False, None, np.zeros((len(maneuver.via), 2))
     for _ in range(TIGHTENINGS):
-        bounds = Bounds((low, high), on_the_way, tighter, slopes, vias)
+        bounds = Bounds((low, high), on_the_way, tighter, slopes, vias, iterations)
         spline = optimum(maneuver, start, bounds, barrier)
         if spline is None and over:
             spline = solve_by_homotopy(maneuver, optimum, start, bounds._replace(tighter=over))
@@ -466,6 +476,39 @@ def plan_smoothest(maneuver: Maneuver, optimum: Callable = smoothest) -> Traject
         found = solve_within_limits(maneuver, optimum, guess(maneuver, maneuver.duration, segments))
         if found is not None:
             return found[1]
+    return None
+
+
+def replan(maneuver: Maneuver, near: Trajectory, is_fixed: bool) -> Trajectory | None:
+    """Smoothest plan from a measured state, from a plan in flight, with its accelerations at the start if fixed."""
+    segments = min(max(math.ceil(maneuver.duration * REPLAN_DENSITY), FEWEST), SEGMENTS[0])
+    start = guess_from(maneuver, near, segments, is_fixed)
+    found = solve_within_limits(maneuver, smoothest, start, WARM, REPLAN_ITERATIONS)
+    return found and found[1]
+
+
+def plan_few(maneuver: Maneuver) -> Trajectory | None:
+    """Smoothest plan from the initial guess with the fewest segments."""
+    start = guess(maneuver, maneuver.duration, FEWEST)
+    found = solve_within_limits(maneuver, smoothest, start, COLD, REPLAN_ITERATIONS)
+    return found and found[1]
+
+
+def fastest_from(maneuver: Maneuver) -> Spline | None:
+    """Fastest spline from a state in flight, regardless of the maneuver's duration, with few segments; or None."""
+    for longer in (*LONGER, easy_duration(maneuver)):
+        duration = maneuver.duration + longer
+        found = optimise(
+            maneuver,
+            guess(maneuver, duration, FEWEST),
+            Bounds(maneuver.rig.thrust_bounds(maneuver.limits.u)),
+            duration,
+            (ROUGHNESS, 1.0, 0.0),
+            COLD,
+            QUICK,
+        )
+        if found is not None:
+            return found
     return None
 
 

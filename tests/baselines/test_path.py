@@ -138,6 +138,32 @@ def test_from_a_state_in_flight_a_new_plan_arrives_at_the_same_time(elapsed):
     assert_allclose(replay(again)[:, -1], [2.0 * math.pi, 0.0, 0.0, 0.0, 0.0, 0.0], atol=1e-3)
 
 
+@pytest.mark.parametrize("left", [9.0, 4.0, 1.5, 0.5])
+def test_from_a_measured_state_there_is_a_plan_or_a_duration_in_which_there_is_one(left):
+    before, rng = plan(Maneuver(duration=11.0), "spline"), np.random.default_rng(1)
+    for _ in range(5):
+        x = before(11.0 - left)[0] + np.radians([1.0, 2.0, 1.0, 2.0, 2.0, 4.0]) * rng.normal(size=6)
+        requested = Maneuver(duration=left)
+        try:
+            again = plan(requested, near=before, start_state=x)
+        except InfeasibleManeuver as refusal:
+            requested = Maneuver(duration=1.02 * refusal.shortest_duration)
+            assert requested.duration > left
+            again = plan(requested, near=before, start_state=x)
+        assert_allclose(again.x[:, 0], x, atol=1e-12)
+        assert_allclose(replay(again)[:, -1], requested.ends[1], atol=1e-3)
+
+
+def test_a_pitch_that_starts_outside_its_limits_returns_within_them():
+    before = plan(Maneuver(duration=9.0), "spline")
+    k = before.x[4].argmax()
+    x = before.x[:, k] + np.radians([0.0, 0.0, 0.0, 0.0, 2.0, 3.0])
+    again = plan(Maneuver(duration=float(9.3 - before.t[k])), near=before, start_state=x)
+    pitch = np.degrees(replay(again)[4])
+    assert pitch[0] > 50.0
+    assert pitch[again.t > 0.8].max() < 50.001
+
+
 def test_a_plan_may_end_in_motion():
     goal = (2.0, 0.5, 0.05, 0.02, 0.1, 0.0)
     assert_allclose(replay(plan(Maneuver(goal_state=goal, duration=6.0)))[:, -1], goal, atol=1e-3)
