@@ -4,7 +4,8 @@ import base64
 import json
 import math
 import webbrowser
-from dataclasses import dataclass, fields, is_dataclass, replace
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import solve_discrete_are
 
 from heli_gym.baselines.control.discrete_lqr import sampled_problem
-from heli_gym.baselines.control.estimation import ENCODER_NOISE, LEAST_LIFT, START_DEVIATIONS, Actuator
+from heli_gym.baselines.control.estimation import START_DEVIATIONS, encoder_noise, least_lift, nominal_actuator
 from heli_gym.baselines.control.residual import (
     CELL,
     FEATURE_CLIP,
@@ -27,7 +28,7 @@ from heli_gym.baselines.control.residual import (
 )
 from heli_gym.baselines.control.weights import ObserverWeights, weights_of
 from heli_gym.baselines.evaluation.labels import label_of
-from heli_gym.baselines.evaluation.report import WEB, check_page, write_page
+from heli_gym.baselines.evaluation.report import WEB, body_of, check_page, model_data, plain, write_page
 from heli_gym.baselines.paper.boundary_value import (
     FINE,
     KAPPA,
@@ -37,12 +38,15 @@ from heli_gym.baselines.paper.boundary_value import (
     solve_unconstrained,
 )
 from heli_gym.baselines.paper.tvlqr import Q, R, stationary_cost, stationary_gain
+from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning.feasibility import InfeasibleManeuver, start_clock, validated
+from heli_gym.baselines.planning.planner import fastest_spline
 from heli_gym.cli import command, parse
 from heli_gym.model import hover_input
-from heli_gym.parameters import HelicopterParameters, Limits
-from heli_gym.plant import AXES, PLANTS, Rotors
-from heli_gym.rig import PAPER, Rig, check_same_rig, find_rig
-from heli_gym.rigid_body import solve_rigid_body
+from heli_gym.on_rig import plant_on_rig
+from heli_gym.parameters import Limits
+from heli_gym.plant import AXES, NOMINAL_RIGS, PLANTS
+from heli_gym.rig import PAPER, Rig, find_rig, same_dynamics
 from heli_gym.simulation.simulation import SUBSTEP
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import TOLERANCE
@@ -57,11 +61,17 @@ VOLTAGE_WINDOWS = ((0.0, 12.0), (1.0, 11.0), (2.0, 10.5), (3.0, 10.0))  # V
 ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s
 LIMIT_TOLERANCE = 1e-6  # V
 
+RIGS = ("paper", "quanser", "ntnu", "fleet")
+SPLINE_PITCH_LIMITS_DEG = (30.0, 40.0, 50.0, 60.0)
+VOLTAGE_RESERVES = (0.0, 1.0 / 12.0, 0.25)  # shares of the amplifier's range left unused at each end
+LONGER = (0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.5, 4.5, 6.5, 8.5)  # s
+LONGEST = 100.0  # s, of the fastest plan
+
 # Controllers of the page (web/src/controllers.ts), and whether they are shown initially.
 SHOWN = ("feedforward+tvlqr", "open-loop", "residual")
 POLICIES = tuple(
     {"name": name, "label": label_of(name).text, "colour": label_of(name).colour, "shown": name in SHOWN}
-    for name in (*SHOWN, "kalman-lqr", "hover-lqr")
+    for name in (*SHOWN, "kalman-lqr", "hover-lqr", "yours")
 )
 NETWORK_FOR = {
     "nominal": "lab",
@@ -76,8 +86,8 @@ class Args:
 
     out: Path = Path("out/live.html")  # the page, one self-contained file
     open: bool = True  # open the page
-    rig: str = "paper"  # rig: a name, or a .toml file; coefficients and thrust map must be the paper's
-    solve_plans: bool = False  # instead, solve the package's grid of plans anew (minutes)
+    rig: str = ""  # rig to fly: a name or a .toml file, for which plans are solved; by default the packaged ones
+    solve_plans: bool = False  # instead, solve the package's grids of plans anew (minutes)
 
 
 def maneuver(duration: float, pitch_limit_deg: float, window: tuple[float, float]) -> Maneuver:
@@ -87,7 +97,7 @@ def maneuver(duration: float, pitch_limit_deg: float, window: tuple[float, float
 
 
 def solve_plans(console: Console) -> dict[str, Any]:
-    """Solve the grid of plans: parameters p (6,) of (39), or None without a solution.
+    """Solve the grid of the paper's plans: parameters p (6,) of (39), or None without a solution.
 
     The parameters are in plans[pitch limit][window][duration]; the page computes the rest.
     """
@@ -151,63 +161,161 @@ def is_sound(requested: Maneuver, solution: Solution) -> bool:
     return bool(np.abs(end - goal).max() <= ARRIVAL_TOLERANCE)
 
 
-def live_data(rig: Rig = PAPER) -> dict[str, Any]:
-    """All data of the page, collected from the modules that define them.
-
-    Raises ValueError for a rig with other coefficients or another thrust map: the grid of plans is the paper's.
-    """
-    check_same_rig("the page's grid of plans", PAPER, rig, "the one to fly")
-    parameters, paper = rig.parameters, Maneuver()
-    elevation = paper.goal[1]
+def live_data(rig: Rig | None = None, console: Console | None = None) -> dict[str, Any]:
+    """All data of the page, collected from the modules that define them: of a rig alone, or of the packaged ones."""
+    grids = json.loads(PLANS.read_text())
+    packaged = {name: find_rig(name) for name in RIGS}
+    named = {name: own for name, own in packaged.items() if rig is not None and own == rig}
+    paper = Maneuver()
     return {
-        "parameters": parameters._asdict(),
         "paper": {
             "duration": paper.duration,
             "pitch_limit_deg": round(math.degrees(paper.limits.pitch_max), 9),
             "window": paper.limits.u,
         },
         "goal": paper.goal,
-        "amplifier": rig.voltage_limits,
-        "pitch_stop": rig.pitch_limit,
         "pitch_reserve": PITCH_RESERVE,
         "kappa": KAPPA,
         "control_period": CONTROL_PERIOD,
         "substep": SUBSTEP,
         "axes": AXES,
-        "weights": {"Q": Q.tolist(), "R": R.tolist(), "M": stationary_cost(elevation, parameters, Q, R).tolist()},
-        "hover_gain": stationary_gain(elevation, parameters).tolist(),
         "features": {
             "tolerance": TOLERANCE,
             "state_scale": STATE_SCALE.tolist(),
             "largest": FEATURE_CLIP,
         },
-        "networks": {name: network_data(name, elevation, parameters) for name in sorted(set(NETWORK_FOR.values()))},
-        "network_for": NETWORK_FOR,
-        "plants": {name: plain(plant) for name, plant in PLANTS.items() if not plant.is_general},
-        "rig": solve_rigid_body("A")._asdict(),
         "policies": POLICIES,
-        "grid": json.loads(PLANS.read_text()),
+        "rigs": [
+            rig_data(own, grids, spline_grid(own, console) if name not in grids["splines"] else grids["splines"][name])
+            for name, own in (packaged if rig is None else named or {"": rig}).items()
+        ],
     }
 
 
-def kalman_data(name: str, elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
-    """Model, weights and noise of a policy with a Kalman filter; M is the stationary cost of hover at `elevation`."""
-    weights = weights_of(name)
+def rig_data(rig: Rig, grids: dict[str, Any], splines: dict[str, Any]) -> dict[str, Any]:
+    """Data of the page that depend on the rig."""
+    parameters, elevation = rig.parameters, Maneuver().goal[1]
+    is_paper = same_dynamics(rig, PAPER)
+    return {
+        "name": rig.name,
+        "source": " ".join(rig.source.split()),
+        "parameters": model_data(rig),
+        "amplifier": rig.voltage_limits,
+        "pitch_stop": rig.pitch_limit,
+        "encoder_counts": rig.encoder_counts,
+        "weights": {"Q": Q.tolist(), "R": R.tolist(), "M": stationary_cost(elevation, parameters, Q, R).tolist()},
+        "hover_gain": stationary_gain(elevation, parameters).tolist(),
+        "networks": {
+            name: network_data(name, elevation, rig) if is_paper else {"kalman": kalman_data(rig), "learned": None}
+            for name in sorted(set(NETWORK_FOR.values()) if is_paper else {"lab"})
+        },
+        "network_for": {name: NETWORK_FOR.get(name, "lab") if is_paper else "lab" for name in PLANTS},
+        "plants": plants_of(rig),
+        "body": body_of(rig)._asdict(),
+        "grids": {"spline": splines} | ({"paper": grids["paper"]} if is_paper else {}),
+    }
+
+
+def plants_of(rig: Rig) -> dict[str, Any]:
+    """Plants of the page on a rig: those presets that exist for it."""
+    found = {}
+    for name in PLANTS:
+        if NOMINAL_RIGS[name] == PAPER.name or same_dynamics(rig, find_rig(NOMINAL_RIGS[name])):
+            with suppress(ValueError):  # not every rig has a rigid body
+                found[name] = plain(plant_on_rig(name, rig))
+    return found
+
+
+def spline_grid(rig: Rig, console: Console | None = None) -> dict[str, Any]:
+    """Grid of splines: the fastest and longer ones, for each pitch limit and voltage window.
+
+    In plans[pitch limit][window] the first is the fastest, and the others take DURATIONS beyond the shortest of all
+    fastest ones. A plan that is not found is replaced by one for narrower limits, or None.
+    """
+    low, high = rig.voltage_limits
+    windows = [(low + share * (high - low), high - share * (high - low)) for share in VOLTAGE_RESERVES]
+    windows = [window for window in windows if can_hover(rig, window)]
+    pitch_limits = [degrees for degrees in SPLINE_PITCH_LIMITS_DEG if math.radians(degrees) <= rig.pitch_limit]
+    jobs = [(i, j) for i in range(len(pitch_limits)) for j in reversed(range(len(windows)))]  # narrower limits first
+
+    def within(i: int, j: int, duration: float) -> Maneuver:
+        pitch = math.radians(pitch_limits[i])
+        return Maneuver(duration=duration, limits=Limits(*windows[j], -pitch, pitch), rig=rig)
+
+    def better(i: int, j: int, own: Any, plans: dict) -> Any:
+        others = [own, plans.get((i - 1, j)), plans.get((i, j + 1))]
+        return min(filter(None, others), key=lambda plan: plan["duration"], default=None)
+
+    fastest: dict[tuple[int, int], Any] = {}
+    for i, j in track(jobs, f"planning for {rig.name}: fastest", console=console, disable=console is None):
+        fastest[i, j] = better(i, j, fastest_plan(within(i, j, LONGEST)), fastest)
+    if not any(fastest.values()):
+        raise ValueError(f"rig = {rig.name!r}: must be one for which a plan of {Maneuver()} is found")
+    first = math.ceil(2.0 * min(plan["duration"] for plan in fastest.values() if plan)) / 2.0
+    durations = [first + longer for longer in LONGER]
+    each: list[dict[tuple[int, int], Any]] = [fastest]
+    for duration in track(durations, f"planning for {rig.name}: longer", console=console, disable=console is None):
+        plans: dict[tuple[int, int], Any] = {}
+        for i, j in jobs:
+            short = fastest[i, j] is not None and fastest[i, j]["duration"] > duration
+            plans[i, j] = better(i, j, None if short else smooth_plan(within(i, j, duration)), plans)
+        each.append(plans)
+    return {
+        "durations": [None, *durations],
+        "pitch_limits_deg": pitch_limits,
+        "windows": windows,
+        "plans": [[[plans[i, j] for plans in each] for j in range(len(windows))] for i in range(len(pitch_limits))],
+    }
+
+
+def can_hover(rig: Rig, window: tuple[float, float]) -> bool:
+    """Whether the rig hovers level within a window of voltages in V."""
+    least, most = rig.thrust_bounds(window)
+    return bool(2.0 * least < hover_input(0.0, rig.parameters)[0] < 2.0 * most)
+
+
+def fastest_plan(requested: Maneuver) -> dict[str, Any] | None:
+    """Fastest spline of a maneuver, packed for the page; None if none is found."""
+    try:
+        return packed(fastest_spline(requested, start_clock(requested, None))[0])
+    except InfeasibleManeuver:
+        return None
+
+
+def smooth_plan(requested: Maneuver) -> dict[str, Any] | None:
+    """Smoothest spline in the maneuver's duration, packed for the page; None if none is found."""
+    for segments in spline.SEGMENTS:
+        start = spline.guess(requested, requested.duration, segments)
+        found = spline.solve_within_limits(requested, spline.smoothest, start)
+        if found is not None and validated(requested, found[1]) is not None:
+            return packed(found[0])
+    return None
+
+
+def packed(found: spline.Spline) -> dict[str, Any]:
+    """Duration and coefficients of a spline, as base64-encoded float32."""
+    return {"duration": found.duration, "c": base64.b64encode(found.coefficients.astype("<f4").tobytes()).decode()}
+
+
+def kalman_data(rig: Rig, name: str = "kalman-lqr") -> dict[str, Any]:
+    """Model, weights and noise of a policy with a Kalman filter; M is the stationary cost of hover at the goal."""
+    weights, actuator = weights_of(name, rig), nominal_actuator(rig, CONTROL_PERIOD)
     assert isinstance(weights, ObserverWeights)
+    elevation, parameters = Maneuver().goal[1], rig.parameters
     hover = np.array([0.0, 0.0, elevation, 0.0, 0.0, 0.0])[:, None], hover_input(elevation, parameters)[:, None]
-    A, B, cost, effort = sampled_problem(*hover, CONTROL_PERIOD, parameters, weights, Actuator().lag)
+    A, B, cost, effort = sampled_problem(*hover, CONTROL_PERIOD, parameters, weights, actuator.lag)
     M = solve_discrete_are(A[0], B[0], cost, effort)
     return {
-        "actuator": Actuator()._asdict(),
+        "actuator": actuator._asdict(),
         "weights": {"Q": (cost / CONTROL_PERIOD).tolist(), "R": weights.R.tolist(), "M": M.tolist()},
         "noise": weights.noise._asdict(),
-        "encoder_noise": ENCODER_NOISE,
+        "encoder_noise": encoder_noise(rig),
         "start_deviations": START_DEVIATIONS,
-        "least_lift": LEAST_LIFT * -parameters.a2 / parameters.b2,
+        "least_lift": least_lift(parameters),
     }
 
 
-def network_data(name: str, elevation: float, parameters: HelicopterParameters) -> dict[str, Any]:
+def network_data(name: str, elevation: float, rig: Rig) -> dict[str, Any]:
     """Controllers for a plant: Kalman LQR, and the learned correction with its base regulator.
 
     The network's arrays are base64-encoded float32, row by row.
@@ -216,34 +324,18 @@ def network_data(name: str, elevation: float, parameters: HelicopterParameters) 
     assert isinstance(network, RecurrentNetwork) and (settings.law, len(network.head.weights)) == ("saturated", 1)
     assert settings.feature_groups == ("error", "voltages", "preview")
     weights = weights_of(settings.base)
-    M = stationary_cost(elevation, parameters, weights.Q, weights.R)
+    M = stationary_cost(elevation, rig.parameters, weights.Q, weights.R)
     arrays = {field: getattr(network, field) for field in CELL}
     arrays |= {"weight": network.head.weights[0], "bias": network.head.biases[0]}
     return {
-        "kalman": kalman_data(f"kalman-lqr@{settings.plant}", elevation, parameters),
-        "weights": {"Q": weights.Q.tolist(), "R": weights.R.tolist(), "M": M.tolist()},
-        "scale": settings.scale,
-        "ahead": settings.ahead,
-        "arrays": {key: base64.b64encode(value.astype("<f4").tobytes()).decode() for key, value in arrays.items()},
+        "kalman": kalman_data(rig, f"kalman-lqr@{settings.plant}"),
+        "learned": {
+            "weights": {"Q": weights.Q.tolist(), "R": weights.R.tolist(), "M": M.tolist()},
+            "scale": settings.scale,
+            "ahead": settings.ahead,
+            "arrays": {key: base64.b64encode(value.astype("<f4").tobytes()).decode() for key, value in arrays.items()},
+        },
     }
-
-
-def plain(value: Any) -> Any:
-    """Convert a plant or a draw for JSON: records to dictionaries of their fields, infinity to None.
-
-    The page counts delays in control periods.
-    """
-    if isinstance(value, Rotors):
-        return {f.name: plain(getattr(value, f.name)) for f in fields(value)} | {
-            "delay": round(value.delay / CONTROL_PERIOD)
-        }
-    if is_dataclass(value):
-        return {f.name: plain(getattr(value, f.name)) for f in fields(value)}
-    if hasattr(value, "_asdict"):
-        return {name: plain(part) for name, part in value._asdict().items()}
-    if isinstance(value, tuple):
-        return [plain(part) for part in value]
-    return None if value == math.inf else value
 
 
 def main(args: Args | None = None) -> None:
@@ -257,13 +349,15 @@ def run(args: Args) -> None:
     console = Console()
     if args.solve_plans:
         check_folder("the package's folder", PLANS.parent)
-        plans = solve_plans(console)
+        splines = {name: spline_grid(find_rig(name), console) for name in RIGS}
+        plans = {"paper": solve_plans(console), "splines": splines}
         with atomic_write(PLANS) as file:
             file.write(json.dumps(plans).encode())
         console.print(f"plans: {PLANS}")
         return
     check_page("out", args.out)
-    write_page(args.out, "live", "heli_gym: fly the helicopter", live_data(find_rig(args.rig)))
+    data = live_data(find_rig(args.rig) if args.rig else None, console)
+    write_page(args.out, "live", "heli_gym: fly the helicopter", data)
     console.print(f"page: {args.out}")
     if args.open:
         webbrowser.open(args.out.absolute().as_uri())

@@ -35,6 +35,7 @@ LABELS = {
     "pd-cascade": Label("PD cascade", "#4D6A6D", "the rig's hover voltage, rates"),
     "oracle": Label("oracle", "#1d242d", "the draw itself"),
     "middle-voltage": Label("middle voltage", GREY, "nothing"),
+    "yours": Label("your weights", "#9B6BD6", "Table I, rates; on the live page only"),
     "zero": Label("zero voltage", GREY, "nothing"),
 }
 

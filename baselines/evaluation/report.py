@@ -5,9 +5,11 @@ Their program is TypeScript in web/; `npm ci && npm run build` there bundles it 
 
 import base64
 import json
+import math
 import os
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import fields, is_dataclass
 from hashlib import sha256
 from importlib.metadata import version
 from importlib.resources import files
@@ -22,6 +24,7 @@ from heli_gym.rig import Rig, body_of_masses
 from heli_gym.rigid_body import RigidBodyParameters, solve_rigid_body
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import control_grid
+from heli_gym.thrust_map import TableCurve
 from heli_gym.trajectory import Trajectory
 
 WEB = Path(str(files("heli_gym.baselines.evaluation") / "web"))
@@ -94,7 +97,7 @@ def write_report(
     """
     policies = list(dict.fromkeys(policy for group in shown for policy in group.flights))
     rig = rig or reference.rig
-    parameters, limits = rig.parameters, reference.limits
+    limits = reference.limits
     data = {
         "title": title,
         "subtitle": f"{reference.duration:g} s within {limits}; heli-gym {version('heli-gym')}",
@@ -107,7 +110,7 @@ def write_report(
         "gains": sampled_gains(reference, rig) if "feedforward+tvlqr" in policies else None,
         "limits": {"u": limits.u, "pitch": limits.pitch},
         "amplifier": rig.voltage_limits,
-        "parameters": parameters._asdict(),
+        "parameters": model_data(rig),
         "rig": body_of(rig)._asdict(),
     }
     write_page(path, "report", f"heli_gym: {title}", data)
@@ -121,6 +124,24 @@ def body_of(rig: Rig) -> RigidBodyParameters:
         return solve_rigid_body("A", rig.parameters)
     except ValueError:
         return solve_rigid_body("A")
+
+
+def model_data(rig: Rig) -> dict[str, Any]:
+    """Coefficients of (3) and thrust curves of both rotors."""
+    return rig.parameters._asdict() | {"front": plain(rig.thrust_map.front), "back": plain(rig.thrust_map.back)}
+
+
+def plain(value: Any) -> Any:
+    """Convert a plant or a draw for JSON: records to dictionaries of their fields, infinity to None."""
+    if isinstance(value, TableCurve):
+        return {"voltages": value.voltages, "thrusts": value.thrusts, "cubics": value.cubics.c.tolist()}
+    if is_dataclass(value):
+        return {f.name: plain(getattr(value, f.name)) for f in fields(value)}
+    if hasattr(value, "_asdict"):
+        return {name: plain(part) for name, part in value._asdict().items()}
+    if isinstance(value, tuple):
+        return [plain(part) for part in value]
+    return None if value == math.inf else value
 
 
 def flight_group(group: Shown, reference: Trajectory, policies: Sequence[str]) -> dict[str, Any]:

@@ -2,26 +2,32 @@
 
 import hashlib
 import subprocess
+import sys
 
 import numpy as np
 import pytest
 from browser import DESKTOP, PHONE, SOURCES, in_browser, in_node, installed, tool
+from scipy.integrate import solve_ivp
+from scipy.interpolate import interp1d
 
 from heli_gym import HelicopterParameters, Maneuver, linearise
-from heli_gym.baselines import fly, make_policy, riccati_gains
+from heli_gym.baselines import fly, make_policy, plan_fastest, riccati_gains
 from heli_gym.baselines.commands import demo
 from heli_gym.baselines.control.residual import LEARNED, load_learned
 from heli_gym.baselines.evaluation.report import WEB
 from heli_gym.baselines.paper.boundary_value import ConstrainedProblem
 from heli_gym.env import Heli3DOFEnv
+from heli_gym.model import dynamics, virtual_input
 from heli_gym.plant import PLANTS, Friction, Plant, Push, Rotors, Sensors
+from heli_gym.rig import Rig, find_rig
 from heli_gym.rigid_body import VARIANTS, solve_rigid_body
+from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustMap
 
 PERIOD = demo.CONTROL_PERIOD
 START = np.radians([4.0, 0.0, -5.0, 0.0, 3.0, 0.0])
 FRICTION = Friction(viscous=(0.1, 0.2, 0.3))
 ROTORS = Rotors(lag=0.1, thrust_loss=0.08, delay=0.02)
-IN_THE_PAGE = [name for name, plant in PLANTS.items() if not plant.is_general]
+IN_THE_PAGE = [name for name in PLANTS if name != "fleet"]  # on the paper's rig
 DRAWS = {
     "nominal": Plant(),
     "lab": Plant(rotors=ROTORS, friction=FRICTION, sensors=Sensors()),
@@ -35,7 +41,15 @@ DRAWS = {
 
 @pytest.fixture(scope="module")
 def live():
-    return demo.live_data()
+    """Data of the page, with those of the paper's rig on top."""
+    data = demo.live_data()
+    paper = data["rigs"][0]
+    return {**data, **paper, "grid": paper["grids"]["paper"]}
+
+
+@pytest.fixture(scope="module")
+def rigs():
+    return {rig["name"]: rig for rig in demo.live_data()["rigs"]}
 
 
 @pytest.fixture(scope="module")
@@ -169,7 +183,7 @@ def test_the_network_of_a_plant_in_the_browser_is_that_of_python(live, plant):
     found = in_node(
         """
         (() => {
-          const network = heli.unpacked(stored);
+          const network = heli.unpacked(stored).learned;
           let hidden = network.arrays.weight_hidden[0].map(() => 0);
           return features.map((seen) => {
             const step = heli.actions(network, seen, hidden);
@@ -218,6 +232,101 @@ def test_draws_in_the_browser_are_within_the_ranges_of_python(plant):
     assert middle["rotors"]["lag"] == pytest.approx((lag.low + lag.high) / 2.0)
     assert low["rotors"]["lag"] < high["rotors"]["lag"] <= lag.high
     assert (low["rig"] != high["rig"]) == (plant == "rigid")  # the other variant
+
+
+def test_the_equations_of_the_page_are_translated_from_python():
+    child = subprocess.run([sys.executable, SOURCES / "translate.py", "--check"], capture_output=True, text=True)
+    assert child.returncode == 0, child.stderr + "run `python web/translate.py` and `npm run build` in web/"
+
+
+@pytest.mark.parametrize("name", ["quanser", "ntnu", "fleet"])
+@pytest.mark.parametrize("policy", ["feedforward+tvlqr", "open-loop"])
+def test_a_flight_on_another_rig_in_the_browser_is_that_of_python(live, rigs, name, policy):
+    data = {**live, **rigs[name]}
+    env = Heli3DOFEnv(rig=name, control_period=PERIOD)
+    controller = make_policy(policy, env.reference, PERIOD)
+    flight = fly(env, controller, seed=0, options={"state": env.reference.x[:, 0] + START})
+    x, u = fly_in_node(data, env.plant, env.reference, tracking(controller), flight.x[:, 0], len(flight.t) - 1)
+    # the power of a real exponent is not the same to the last digit in both
+    np.testing.assert_allclose(x, flight.x, rtol=0.0, atol=1e-7)
+    np.testing.assert_allclose(u, flight.u[:, :-1], rtol=0.0, atol=1e-6)
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_a_draw_of_fleet_in_the_browser_is_that_of_python(live, rigs, seed):
+    """All effects of a general plant: uneven rotors, drift, delays between two periods, sensor zeros, lift, a table."""
+    draw = PLANTS["fleet"].draw(np.random.default_rng(seed))
+    env = Heli3DOFEnv(draw, control_period=PERIOD, rig="fleet")
+    controller = make_policy("feedforward+tvlqr", env.reference, PERIOD)
+    flight = fly(env, controller, seed=0)
+    start = flight.x[:, 0]
+    x, _ = fly_in_node({**live, **rigs["fleet"]}, draw, env.reference, tracking(controller), start, len(flight.t) - 1)
+    np.testing.assert_allclose(x, flight.x, rtol=0.0, atol=1e-7)
+
+
+TABLE = TableCurve((-10.0, -4.0, 0.0, 2.0, 6.0, 12.0), (-0.3, -0.1, 0.0, 0.0, 0.4, 1.1))
+
+
+@pytest.mark.parametrize("curve", [PowerCurve(0.13, -0.05, 1.22, 0.4), PowerCurve(0.005, 0.0), TABLE])
+def test_thrust_and_voltage_in_the_browser_are_those_of_python(curve):
+    u = np.linspace(-12.0, 14.0, 53)
+    f = np.linspace(-0.4, 1.3, 35)
+    found = in_node(
+        "({f: u.map((x) => heli.thrustAt(x, c)), u: f.map((x) => heli.voltageFor(x, c))})",
+        u=u.tolist(),
+        f=f.tolist(),
+        c=demo.plain(curve),
+    )
+    np.testing.assert_allclose(found["f"], curve.thrust(u), rtol=0.0, atol=1e-12)
+    np.testing.assert_allclose(found["u"], curve.voltage(f), rtol=0.0, atol=1e-9)
+
+
+SPLINES = "plans.map((plan) => heli.splinePlan(plan, live.goal, live.parameters, live.control_period / 2))"
+
+
+@pytest.mark.parametrize("name", demo.RIGS)
+def test_the_splines_of_every_rig_arrive_within_their_limits(live, rigs, name):
+    """Also against Python: the plan replayed by `solve_ivp` from the thrusts of the page arrives."""
+    rig, grid = find_rig(name), rigs[name]["grids"]["spline"]
+    low, high = rig.voltage_limits
+    cells = [(i, j) for i in range(len(grid["pitch_limits_deg"])) for j in range(len(grid["windows"]))]
+    chosen = [(i, j, k) for i, j in cells for k in (0, 4) if grid["plans"][i][j][k] is not None]
+    assert len(chosen) > len(cells)
+    stored = [grid["plans"][i][j][k] for i, j, k in chosen]
+    for (i, j, _), plan, found in zip(chosen, stored, in_node(SPLINES, plans=stored, live={**live, **rigs[name]})):
+        x, u = np.array(found["x"]).T, np.array(found["u"]).T
+        arrival = int(plan["duration"] / found["step"])
+        (u_low, u_high), pitch = grid["windows"][j], np.radians(grid["pitch_limits_deg"][i])
+        # a sample may be up to 10 ms before the goal
+        np.testing.assert_allclose(x[0::2, arrival], [*live["goal"], 0.0], rtol=0.0, atol=2e-3)
+        assert u_low - 1e-3 <= u.min() <= u.max() <= u_high + 1e-3
+        assert np.abs(x[4]).max() <= pitch + 1e-6
+        assert low <= u_low < u_high <= high
+    times = found["step"] * np.arange(arrival)
+    v = virtual_input(rig.thrust(u))
+    along = [interp1d(found["step"] * np.arange(x.shape[1]), row, "cubic") for row in v]
+
+    def rhs(t, at):
+        return np.stack(dynamics(at, [row(t) for row in along], rig.parameters))
+
+    replayed = solve_ivp(rhs, (0.0, times[-1]), x[:, 0], t_eval=times, rtol=1e-8, atol=1e-10, max_step=0.02).y
+    np.testing.assert_allclose(replayed, x[:, : len(times)], rtol=0.0, atol=5e-3)
+
+
+def test_the_fastest_spline_of_the_page_is_the_planners(live):
+    grid = live["grids"]["spline"]
+    fastest = grid["plans"][grid["pitch_limits_deg"].index(50.0)][grid["windows"].index([1.0, 11.0])][0]
+    assert fastest["duration"] == pytest.approx(plan_fastest(Maneuver(duration=20.0)).duration, abs=1e-3)
+
+
+def test_a_rig_from_a_file_gets_its_own_grid_of_plans(tmp_path):
+    Rig("mine", find_rig("ntnu").parameters, voltage_limits=(0.0, 15.0), thrust_map=ThrustMap(TABLE, TABLE)).save(
+        tmp_path / "mine.toml"
+    )
+    [rig] = demo.live_data(find_rig(tmp_path / "mine.toml"))["rigs"]
+    assert (rig["name"], rig["parameters"]["front"]["thrusts"]) == ("mine", TABLE.thrusts)
+    assert rig["grids"]["spline"]["durations"][0] is None
+    assert any(plan for window in rig["grids"]["spline"]["plans"] for cells in window for plan in cells)
 
 
 def test_the_linearisation_in_the_browser_is_that_of_python():
@@ -334,7 +443,7 @@ def test_the_page_opens_without_complaint_fits_and_flies(page, size):
 @pytest.mark.slow
 def test_a_push_moves_the_pitch(page):
     script = """
-        await page.locator("select").selectOption("0.25");
+        await page.locator("#speed").selectOption("0.25");
         await slide("#startOff", -3);  // on the reference
         await page.locator("#startOff").blur();
         await until(0.2);
@@ -359,7 +468,7 @@ def test_a_push_moves_the_pitch(page):
 def test_a_slider_changes_the_flight_and_a_missing_plan_is_reported(page, papers_plan):
     script = """
         const references = [];
-        await page.locator("select").selectOption("2");
+        await page.locator("#speed").selectOption("2");
         for (const steps of [0, 8]) {  // 10 s, then 14 s
           await slide("#duration", steps);
           if (steps === 0) await page.locator("button", {hasText: "Restart"}).click();
@@ -370,7 +479,7 @@ def test_a_slider_changes_the_flight_and_a_missing_plan_is_reported(page, papers
         await slide("#duration", -11);  // 8.5 s
         const message = await page.locator(".message").textContent();
         const disabled = await page.locator("#play").isDisabled();
-        await page.locator("button", {hasText: "take"}).click();
+        await page.locator("#remedy").click();
         await until(0.3);
         return {references, message, disabled, duration: await page.locator("output[for=duration]").textContent(),
                 hidden: await page.locator(".message").isHidden()};
@@ -380,8 +489,10 @@ def test_a_slider_changes_the_flight_and_a_missing_plan_is_reported(page, papers
     assert abs(travel - np.degrees(papers_plan(time)[0][0])) < 6.0  # the clock shows tenths
     assert slower < 0.7 * np.degrees(papers_plan(later_time)[0][0])
     assert "8.5 s" in seen["message"]
+    assert "none below 10.0 s" in seen["message"]
+    assert "splines takes 8.30 s" in seen["message"]
     assert seen["disabled"]
-    assert (seen["duration"], seen["hidden"]) == ("10.0 s", True)
+    assert (seen["duration"], seen["hidden"]) == ("fastest, 8.30 s", True)
 
 
 def test_plants_and_policies_are_chosen_with_the_keyboard_too(page):
@@ -391,11 +502,11 @@ def test_plants_and_policies_are_chosen_with_the_keyboard_too(page):
         for (const key of ["3", "2", "1"]) {
           await page.keyboard.press(key);
           seen[key] = [await page.locator("input[name=plant]:checked").inputValue(),
-                       await page.locator("fieldset p.small").textContent()];
+                       await page.locator("#plant-note").textContent()];
         }
         await page.keyboard.press("2");
         await page.keyboard.press("d");
-        seen.d = await page.locator("fieldset p.small").textContent();
+        seen.d = await page.locator("#plant-note").textContent();
         await page.keyboard.press("5");
         seen.shown = await page.locator(".view").evaluateAll((views) => views.filter((view) => !view.hidden).length);
         await page.keyboard.press("Space");
@@ -411,7 +522,7 @@ def test_plants_and_policies_are_chosen_with_the_keyboard_too(page):
     assert "Draw 2" in seen["d"]
     assert seen["shown"] == sum(policy["shown"] for policy in demo.POLICIES) - 1
     assert seen["play"] == "Fly"
-    assert seen["focused"] == "BUTTON"
+    assert seen["focused"] == "CANVAS"  # the first stop; arrow keys turn the view there
 
 
 @pytest.mark.slow
@@ -428,9 +539,9 @@ def test_the_residual_policy_uses_the_plants_network_and_differs_from_its_base(p
           await page.locator(".toggles label", {hasText: "Kalman LQR"}).locator("input").check();
           await until(1.5);
           await pause();
-          seen[plant] = [await shown(), await page.locator("fieldset p.small").textContent()];
+          seen[plant] = [await shown(), await page.locator("#plant-note").textContent()];
         }
-        await page.keyboard.press("6");
+        await page.keyboard.press("7");
         await page.waitForTimeout(300);
         seen.without = await shown();
         return seen;
@@ -438,7 +549,7 @@ def test_the_residual_policy_uses_the_plants_network_and_differs_from_its_base(p
     seen = in_browser(page, READ + SMALL + script)
     for plant in ("lab", "rigid"):
         values, note = seen[plant]
-        _, _, residual, kalman, hover, _ = zip(*values)
+        _, _, residual, kalman, hover, *_ = zip(*values)
         assert max(abs(a - b) for a, b in zip(residual, kalman)) > 0.3
         assert set(hover) == {None}  # not shown at first
         assert f"trained on {plant}" in note

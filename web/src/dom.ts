@@ -1,5 +1,7 @@
 // What both pages build their elements with.
 
+import { swatch } from "./marks";
+
 type Attributes = Record<string, string | number | boolean | ((event: Event) => void)>;
 
 /** An element; attributes that are functions listen to the event of their name. */
@@ -19,18 +21,29 @@ export function make<K extends keyof HTMLElementTagNameMap>(
 }
 
 export const deg = (rad: number) => (rad * 180) / Math.PI;
+export const rad = (degrees: number) => (degrees * Math.PI) / 180;
 
 /** A number with a true minus sign. */
 export const shown = (value: number, digits: number) => value.toFixed(digits).replace(/^-(?=.*[1-9])/, "\u2212").replace(/^-/, "");
 
-export const REFERENCE = "#1d242d";
+/** A colour of the style sheet, as it is now: it follows the reader's preference for light or dark. */
+export function themed(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+}
+
+/** Calls back when the reader's preference for light or dark changes, and for printing, which is always light. */
+export function onTheme(change: () => void): void {
+  for (const query of ["(prefers-color-scheme: dark)", "print"]) matchMedia(query).addEventListener("change", change);
+}
 
 /** Whether a key belongs to the control that has the focus. */
 export function isForControl(event: KeyboardEvent): boolean {
   const focused = event.target as HTMLElement;
   if (event.ctrlKey || event.metaKey || event.altKey) return true;
   if (focused.matches("select, textarea, input[type=text]")) return true;
-  if (focused.matches("input[type=range], input[type=radio]")) return /^(Arrow|Home|End|Page)/.test(event.key);
+  if (focused.matches("input[type=range], input[type=radio], [role=slider], [role=application], .scroll")) {
+    return /^(Arrow|Home|End|Page|[-+=0])/.test(event.key);
+  }
   return focused.matches("button, summary, a, input") && [" ", "Enter"].includes(event.key);
 }
 
@@ -41,6 +54,14 @@ export function keyHelp(keys: [string, string][]): HTMLElement {
     make("dd", {}, what),
   ]);
   return make("details", { class: "help" }, make("summary", {}, "Keyboard"), make("dl", {}, ...rows));
+}
+
+/** A wide element that scrolls sideways by itself, with a hint where there is more of it than fits. */
+export function scrollable(label: string, content: HTMLElement): HTMLElement {
+  const box = make("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": label }, content);
+  const hint = make("p", { class: "small hint", hidden: true }, "Scroll sideways for all columns →");
+  new ResizeObserver(() => (hint.hidden = box.scrollWidth <= box.clientWidth + 1)).observe(box);
+  return make("div", {}, hint, box);
 }
 
 /** Counts frames, and the time that scripts take in them, which it shows once a second. */
@@ -76,9 +97,9 @@ export class View {
   private readonly numbers = ["travel", "elevation", "pitch", "front", "back"].map((name) => make("span", { title: name }));
   private readonly note = make("div", { class: "note" });
 
-  constructor(label: string, colour: string) {
-    const name = make("div", { class: "name" }, make("i", { style: `background:${colour}` }), label);
-    this.element = make("div", { class: "view" }, name, make("div", { class: "numbers" }, ...this.numbers), this.note);
+  constructor(label: string, colour: string, index: number) {
+    const name = make("div", { class: "name" }, swatch(index, colour), label);
+    this.element = make("div", { class: "view" }, name, this.note, make("div", { class: "numbers" }, ...this.numbers));
   }
 
   show(x: readonly number[], u: readonly number[], note: string): void {

@@ -2,7 +2,8 @@
 // that it has to estimate.
 
 import { type Matrix, diagonal, plus, scaled, solved, symmetric, times, transposed, zeros } from "./matrices";
-import { type Pair, type Parameters, clip, dynamics, linearise, rk4Step, virtualInput } from "./model";
+import { type Parameters, dynamics, inverseDynamics, thrustVector } from "./equations";
+import { type Model, type Pair, clip, inputAt, linearise, rk4Step } from "./model";
 
 const ANGLES = [0, 2, 4];
 const RATES = [1, 3, 5];
@@ -28,15 +29,15 @@ export function predict(
   disturbance: readonly number[],
   dt: number,
   { lag }: Actuator,
-  parameters: Parameters,
+  parameters: Model,
 ): { x: number[]; rotors: Pair } {
-  const turned = (time: number) => u.map((volts, i) => volts + (w[i] - volts) * Math.exp(-time / lag)) as Pair;
+  const turned = (time: number) => u.map((volts, i) => (lag ? volts + (w[i] - volts) * Math.exp(-time / lag) : volts)) as Pair;
   const derivative = (at: readonly number[], v: Pair) => {
     const dx = dynamics(at, v, parameters);
     RATES.forEach((rate, i) => (dx[rate] += disturbance[i]));
     return dx;
   };
-  const [start, middle, end] = [0, 0.5, 1].map((share) => virtualInput(turned(share * dt), parameters));
+  const [start, middle, end] = [0, 0.5, 1].map((share) => inputAt(turned(share * dt), parameters));
   return { x: rk4Step(derivative, x, [start, middle, end], dt), rotors: turned(dt) };
 }
 
@@ -91,16 +92,15 @@ export function kalmanGains(
 /** The reference x, v with the pitch and the thrusts that also outweigh disturbances on the three axes. */
 export function accommodated(
   x: readonly number[],
-  [v1, v2]: Pair,
+  v: Pair,
   [onTravel, onElevation, onPitch]: readonly number[],
   pitchLimits: Pair,
   leastLift: number,
   p: Parameters,
 ): { x: number[]; v: Pair } {
-  const [, , q2, , q3] = x;
-  const sideways = v1 * Math.sin(q3) - onTravel / (p.b1 * Math.cos(q2));
-  const upwards = v1 * Math.cos(q3) - onElevation / p.b2;
-  const tilt = clip(Math.atan2(sideways, Math.max(upwards, leastLift)), pitchLimits);
-  const held = v2 - (onPitch + p.a3 * Math.cos(q2) * (Math.sin(tilt) - Math.sin(q3))) / p.b3;
-  return { x: x.with(4, tilt), v: [Math.hypot(sideways, upwards), held] };
+  const [, ddq1, , ddq2, , ddq3] = dynamics(x, v, p);
+  const [across, upright] = thrustVector(x, ddq1 - onTravel, ddq2 - onElevation, p);
+  const tilted = x.with(4, clip(Math.atan2(across, Math.max(upright, leastLift)), pitchLimits));
+  const [, v2] = inverseDynamics(tilted, ddq2 - onElevation, ddq3 - onPitch, p);
+  return { x: tilted, v: [Math.hypot(across, upright), v2] };
 }

@@ -1,7 +1,7 @@
 // A helicopter in the air: a controller, a plant, and what it did so far. As baselines/evaluation/rollout.py has it.
 
 import { type Pair, clip } from "./model";
-import { type Plant, type PlantState, type Push, advance, atRest, measurement } from "./plant";
+import { type Plant, type PlantState, type Prepared, type Push, advance, atRest, measurement, prepared } from "./plant";
 import type { Controller } from "./policies";
 
 export interface Rules {
@@ -17,6 +17,7 @@ export class Flight {
   readonly u: Pair[] = []; // held from each step to the next
   crashed = false;
   private state: PlantState;
+  private readonly ready: Prepared;
 
   constructor(
     readonly controller: Controller,
@@ -25,7 +26,8 @@ export class Flight {
     start: readonly number[],
     hover: Pair,
   ) {
-    this.state = atRest(plant, start, hover);
+    this.ready = prepared(plant, rules.controlPeriod, rules.substep);
+    this.state = atRest(this.ready, start, hover);
     this.x = [this.state.x];
   }
 
@@ -36,11 +38,13 @@ export class Flight {
 
   step(pushes: Push[]): void {
     if (this.crashed) return;
-    const { controlPeriod, amplifier, pitchStop, substep } = this.rules;
+    const { controlPeriod, amplifier, pitchStop } = this.rules;
     const k = this.x.length - 1;
     const asked = this.controller.voltages(k, measurement(this.state));
     const u = asked.map((volts) => clip(volts, amplifier)) as Pair;
-    this.state = advance(this.plant, this.state, u, k * controlPeriod, controlPeriod, { pushes, substep });
+    const [from, to] = [k * controlPeriod, (k + 1) * controlPeriod];
+    const now = pushes.filter(({ time, duration }) => time < to && time + duration > from);
+    this.state = advance(this.ready, this.state, u, from, controlPeriod, now, pushes.length > 0);
     this.u.push(u);
     this.x.push(this.state.x);
     this.crashed = Math.abs(this.state.x[4]) > pitchStop;

@@ -1,7 +1,8 @@
 // How the errors of all episodes are distributed: one small histogram per policy, all over the same logarithmic axis.
 
 import { make, shown } from "./dom";
-import { svg } from "./sets";
+import { swatch } from "./marks";
+import { svg } from "./svg";
 
 const WIDTH = 300;
 const HEIGHT = 84;
@@ -45,7 +46,7 @@ export class Histograms {
       const mark = svg("line", { y1: 2, y2: BASE + 3, class: "mark" });
       picture.append(svg("line", { x1: 0, x2: WIDTH, y1: BASE, y2: BASE, class: "axis" }), mark);
       this.marks.push(mark);
-      return make("figure", { class: "histogram" }, make("figcaption", {}, make("span", {}, text)), picture as unknown as Node);
+      return make("figure", { class: "histogram" }, make("figcaption", {}, make("span", {}, swatch(i, colours[i]), text)), picture as unknown as Node);
     });
     this.element = make("div", { class: "multiples" }, ...this.figures);
   }

@@ -6,13 +6,15 @@ import { showLive } from "./live";
 import { showReport } from "./report";
 
 export * from "./controllers";
+export * from "./equations";
 export * from "./flight";
 export * from "./model";
 export * from "./plan";
 export * from "./plant";
 export * from "./policies";
 export * from "./residual";
-export * from "./rigid";
+export * from "./spline";
+export * from "./thrust";
 export * from "./tvlqr";
 
 if (typeof document !== "undefined") {

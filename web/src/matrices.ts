@@ -42,3 +42,7 @@ export function solved(A: Matrix, B: Matrix): Matrix {
   }
   return rows.map((row) => row.slice(n));
 }
+
+/** The numbers of a base64 of float32. */
+export const float32 = (base64: string): number[] =>
+  Array.from(new Float32Array(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer));

@@ -1,61 +1,37 @@
-// Equations (2)-(4) of the paper, as heli_gym/model.py has them; the numbers come from Python. SI units and radians.
+// What controllers and plants need of the model besides its equations, which equations.ts has from Python.
+
+import { type Parameters, dynamics, fanThrusts, inverseDynamics, virtualInput } from "./equations";
+import { type Curve, thrustAt, voltageFor } from "./thrust";
 
 export type Pair = [number, number];
 
 export const clip = (value: number, [low, high]: Pair) => Math.min(Math.max(value, low), high);
 
-/** Table I. */
-export interface Parameters {
-  k_plus: number;
-  k_minus: number;
-  a1: number;
-  a2: number;
-  a3: number;
-  b1: number;
-  b2: number;
-  b3: number;
+/** The coefficients of (3) with the thrust curves of both rotors. */
+export interface Model extends Parameters {
+  front: Curve;
+  back: Curve;
 }
 
-/** (2): thrust in N of a fan at the voltage u in V. */
-export function thrust(u: number, p: Parameters): number {
-  const even = p.k_plus + p.k_minus;
-  const odd = p.k_plus - p.k_minus;
-  return 0.5 * (even * u + odd * Math.abs(u)) * u;
-}
-
-/** The inverse of (2). */
-export function voltage(f: number, p: Parameters): number {
-  return Math.sign(f) * Math.sqrt(f / (f >= 0 ? p.k_plus : p.k_minus));
-}
+/** Thrusts in N at the voltages u. */
+export const thrusts = (u: Readonly<Pair>, m: Model): Pair => [thrustAt(u[0], m.front), thrustAt(u[1], m.back)];
 
 /** (4): sum and difference v in N of the thrusts at the voltages u. */
-export function virtualInput(u: Pair, p: Parameters): Pair {
-  const front = thrust(u[0], p);
-  const back = thrust(u[1], p);
-  return [front + back, front - back];
-}
+export const inputAt = (u: Readonly<Pair>, m: Model): Pair => virtualInput(thrusts(u, m));
 
 /** The voltages in V of the virtual inputs v in N. */
-export function voltages(v: Pair, p: Parameters): Pair {
-  return [voltage(0.5 * (v[0] + v[1]), p), voltage(0.5 * (v[0] - v[1]), p)];
+export function voltages(v: Readonly<Pair>, m: Model): Pair {
+  const [front, back] = fanThrusts(v);
+  return [voltageFor(front, m.front), voltageFor(back, m.back)];
 }
 
-/** (3): time derivative of the state x = (travel, elevation, pitch, each with its rate) under v. */
-export function dynamics(x: readonly number[], v: Pair, p: Parameters): number[] {
-  const [, dq1, q2, dq2, q3, dq3] = x;
-  const [v1, v2] = v;
-  return [
-    dq1,
-    p.b1 * Math.cos(q2) * Math.sin(q3) * v1,
-    dq2,
-    p.a1 * Math.sin(q2) + p.a2 * Math.cos(q2) + p.b2 * Math.cos(q3) * v1,
-    dq3,
-    p.a3 * Math.cos(q2) * Math.sin(q3) + p.b3 * v2,
-  ];
+/** The range of thrust in N that both rotors reach in a window of voltages. */
+export function thrustBounds([low, high]: Readonly<Pair>, m: Model): Pair {
+  return [Math.max(...thrusts([low, low], m)), Math.min(...thrusts([high, high], m))];
 }
 
 /** (47), (48): A (6 x 6) and B (6 x 2) about x and v, by differences of order four, so that they cannot drift from (3). */
-export function linearise(x: readonly number[], v: Pair, p: Parameters): { A: number[][]; B: number[][] } {
+export function linearise(x: readonly number[], v: Readonly<Pair>, p: Parameters): { A: number[][]; B: number[][] } {
   const z = [...x, ...v];
   const step = 1e-3;
   const columns = z.map((_, j) => {
@@ -75,9 +51,7 @@ export function linearise(x: readonly number[], v: Pair, p: Parameters): { A: nu
 }
 
 /** v that holds (3) at rest at an elevation in rad. */
-export function hoverInput(elevation: number, p: Parameters): Pair {
-  return [-(p.a1 * Math.sin(elevation) + p.a2 * Math.cos(elevation)) / p.b2, 0];
-}
+export const hoverInput = (elevation: number, p: Parameters): Pair => inverseDynamics([0, 0, elevation, 0, 0, 0], 0, 0, p);
 
 /** The state dt seconds later, by one Runge-Kutta step of order four; the inputs are those at its start, middle, end. */
 export function rk4Step<Input>(

@@ -1,7 +1,7 @@
 // The paper's plan from its free parameters: with p of (39) known, the boundary value problem (38) is an initial value
 // problem. Python solves for p (baselines/paper/boundary_value.py); here it is integrated forwards.
 
-import { type Pair, type Parameters, clip, hoverInput, rk4Step, thrust, voltages } from "./model";
+import { type Model, type Pair, clip, hoverInput, rk4Step, thrusts, voltages } from "./model";
 
 export interface Maneuver {
   duration: number; // s
@@ -23,13 +23,13 @@ export function integratePlan(
   maneuver: Maneuver,
   [p1, p2]: [number[], number[]],
   pitchReserve: number,
-  parameters: Parameters,
+  parameters: Model,
   step: number,
 ): Plan {
   const { duration, goal, limits } = maneuver;
   const p = parameters;
   const [low, high] = limits.pitch.map((bound) => bound * (1 - pitchReserve));
-  const [fMin, fMax] = limits.u.map((u) => thrust(u, p));
+  const [fMin, fMax] = limits.u.map((u) => thrusts([u, u], p)[0]);
 
   const phi = (coefficients: number[], tau: number) =>
     coefficients.reduce((sum, c, k) => sum + c * (tau ** (k + 2) - tau), 0);

@@ -1,19 +1,35 @@
-// What stands between the voltage and the measurement, as heli_gym/plant.py and simulation.py have it: the parts that
-// the presets use, and pushes.
+// A plant between voltage and measurement, as heli_gym/plant.py describes it. Its equations are Python's; noise and
+// gusts, which no preset has, are left out.
 
-import { type Pair, type Parameters, dynamics, rk4Step, virtualInput } from "./model";
-import { type Rig, rigidDynamics } from "./rigid";
+import {
+  type Parameters,
+  type RigidBody,
+  dynamics,
+  quantise,
+  rigidDynamics,
+  virtualInput,
+  withContact,
+  withFrictionAndDisturbances,
+  withLift,
+} from "./equations";
+import { type Model, type Pair, rk4Step, thrusts } from "./model";
+import type { Curve } from "./thrust";
 
 /** A drawn plant. Python writes the presets with ranges; `drawn` draws from them. */
 export interface Plant {
   parameters: Parameters;
-  rig: Rig | null;
-  rotors: { lag: number; thrust_loss: number; delay: number };
-  friction: { viscous: number[] };
-  sensors: { counts: number[]; rate_filter: number } | null;
+  rig: RigidBody | null;
+  rotors: { lag: number; thrust_loss: number; slew: number | null; delay: number; gains: Pair }; // s, V/s
+  friction: { viscous: number[]; coulomb: number[] };
+  sensors: { counts: number[]; rate_filter: number; zeros: number[] } | null;
+  disturbances: { loss: number; time: number; duration: number }[]; // drifts of the thrust
+  thrust_map: Curve | { front: Curve; back: Curve } | null; // null: (2)
+  hover_voltage: number | null; // V
+  travel_lift: number; // 1/rad
+  table: { elevation: number; friction: number } | null;
 }
 
-/** A torque on one axis (0 travel, 1 elevation, 2 pitch) from a time on, for a while. */
+/** An acceleration of one axis (0 travel, 1 elevation, 2 pitch) from a time on, for a while. */
 export interface Push {
   axis: number;
   acceleration: number; // rad/s²
@@ -24,17 +40,16 @@ export interface Push {
 /** All that a plant remembers of a flight. */
 export interface PlantState {
   x: number[];
+  motors: Pair; // V, of the amplifiers
   rotors: Pair; // V, to which the rotor speeds correspond
+  arrived: Pair; // V, asked of the amplifiers
   pending: Pair[]; // V, asked for and delayed
   angles: number[]; // rad, as measured last
   rates: number[]; // rad/s, as estimated from these
 }
 
-/** How each axis is pushed around; the integration takes steps of at most `substep` s where there is more than (3). */
-export interface Surroundings {
-  pushes: Push[];
-  substep: number;
-}
+const NO_TABLE = 1e3; // rad, an elevation that is never reached
+const NEARLY = 1e-4; // control periods, within which a delay is a whole number of them
 
 /** The value with every range {low, high} and choice {options} in it, however deep, replaced by a draw. */
 export function drawn(value: unknown, random: () => number): unknown {
@@ -50,12 +65,51 @@ export function drawn(value: unknown, random: () => number): unknown {
   return Object.fromEntries(Object.entries(value).map(([name, part]) => [name, drawn(part, random)]));
 }
 
-/** A plant in the state x, its rotors turning at the voltages u. The first rates told are the true ones. */
-export function atRest(plant: Plant, x: readonly number[], u: Pair): PlantState {
+/** The coefficients and thrust curves of a plant. */
+export function modelOf({ parameters, thrust_map }: Plant): Model {
+  const quadratic = { k_plus: parameters.k_plus, k_minus: parameters.k_minus, exponent: 2, dead_zone: 0 };
+  const map = thrust_map ?? quadratic;
+  return { ...parameters, ...("front" in map ? map : { front: map, back: map }) };
+}
+
+/** A plant with what follows from it. */
+export interface Prepared {
+  plant: Plant;
+  model: Model;
+  shares: Pair; // of each rotor's thrust
+  periods: number; // whole control periods of delay
+  rest: number; // s, of the delay beyond these
+  steps: (isPushed: boolean) => number;
+}
+
+/** What follows from a plant; the integration takes steps of at most `substep` s where there is more than (3). */
+export function prepared(plant: Plant, period: number, substep: number): Prepared {
+  const { rotors, friction, parameters, sensors } = plant;
+  const model = modelOf(plant);
+  let scale = 1 - rotors.thrust_loss;
+  if (plant.hover_voltage) {
+    const [front, back] = thrusts([plant.hover_voltage, plant.hover_voltage], model);
+    scale *= -parameters.a2 / (parameters.b2 * (front + back));
+  }
+  const periods = Math.floor(rotors.delay / period + NEARLY);
+  const over = Math.max(rotors.delay - period * periods, 0);
+  const rest = over > NEARLY * period ? over : 0;
+  const isPlain =
+    plant.rig === null && rotors.thrust_loss === 0 && rotors.delay === 0 && rotors.gains.every((gain) => gain === 1) &&
+    [...friction.viscous, ...friction.coulomb].every((f) => f === 0) && plant.thrust_map === null && !plant.table &&
+    plant.travel_lift === 0 && plant.disturbances.length === 0 && !sensors?.zeros.some((zero) => zero !== 0);
+  const shares: Pair = [scale * rotors.gains[0], scale * rotors.gains[1]];
+  return { plant, model, shares, periods, rest, steps: (isPushed) => (isPlain && !isPushed ? 1 : Math.ceil(period / substep - 1e-9)) };
+}
+
+/** A plant in the state x, its rotors turning at the voltages u. The first rates are the true ones. */
+export function atRest({ plant, periods }: Prepared, x: readonly number[], u: Pair): PlantState {
   return {
     x: [...x],
+    motors: u,
     rotors: u,
-    pending: Array.from({ length: plant.rotors.delay }, () => u),
+    arrived: u,
+    pending: Array.from({ length: periods }, () => u),
     angles: encoded(plant, x),
     rates: [x[1], x[3], x[5]],
   };
@@ -67,38 +121,52 @@ export function measurement(state: PlantState): number[] {
 
 /** The plant dt seconds later, the voltages u having been asked for at the time given. */
 export function advance(
-  plant: Plant,
+  { plant, model, shares, rest, steps }: Prepared,
   state: PlantState,
   asked: Pair,
   time: number,
   dt: number,
-  { pushes, substep }: Surroundings,
+  pushes: Push[],
+  isPushed = pushes.length > 0, // at any time of the flight
 ): PlantState {
-  const [u, ...pending] = [...state.pending, asked];
-  const { parameters, rotors, friction, rig } = plant;
-  const isPlain = rig === null && rotors.lag === 0 && friction.viscous.every((f) => f === 0) && pushes.length === 0;
-  const steps = isPlain ? 1 : Math.ceil(dt / substep - 1e-9);
-  const h = dt / steps;
-  const kept = rotors.lag ? Math.exp((-0.5 * h) / rotors.lag) : 0;
-  const later = (w: Pair): Pair => [u[0] + kept * (w[0] - u[0]), u[1] + kept * (w[1] - u[1])];
-  const input = (w: Pair): Pair => virtualInput(w, parameters).map((v) => (1 - rotors.thrust_loss) * v) as Pair;
+  const { rotors, friction, rig, table } = plant;
+  const count = steps(isPushed);
+  const contact = table ? [table.elevation, table.friction] : [NO_TABLE, 0];
+  const [arriving, ...pending] = [...state.pending, asked];
+  let { x, motors, rotors: speeds } = state;
 
-  let x = state.x;
-  let start = rotors.lag ? state.rotors : u;
-  for (let k = 0; k < steps; k++) {
-    const [middle, end] = [later(start), later(later(start))];
-    const accelerations = disturb(pushes, time + k * h, h);
-    const derivative = (at: readonly number[], v: Pair) => {
-      const dx = rig === null ? dynamics(at, v, parameters) : rigidDynamics(at, v, rig);
-      for (let axis = 0; axis < 3; axis++) {
-        dx[2 * axis + 1] += accelerations[axis] - friction.viscous[axis] * dx[2 * axis];
-      }
-      return dx;
-    };
-    x = rk4Step(derivative, x, [input(start), input(middle), input(end)], h);
-    start = end;
+  /** Flies a part of the period in `count` steps, the amplifiers being asked for the voltages u. */
+  function fly(u: Pair, since: number, duration: number): void {
+    const most = rotors.slew === null ? Infinity : rotors.slew * duration;
+    motors = u.map((volts, i) => Math.min(Math.max(volts, motors[i] - most), motors[i] + most)) as Pair;
+    const h = duration / count;
+    const decay = rotors.lag ? Math.exp((-0.5 * h) / rotors.lag) : 0;
+    const later = (w: Pair): Pair => [motors[0] + decay * (w[0] - motors[0]), motors[1] + decay * (w[1] - motors[1])];
+    if (!rotors.lag) speeds = motors;
+    for (let k = 0; k < count; k++) {
+      const [middle, end] = [later(speeds), later(later(speeds))];
+      const now = since + k * h;
+      const torques = [...disturb(pushes, now, h), 0];
+      const effect = plant.disturbances.reduce(
+        (left, { loss, time: begin, duration: over }) => left * (1 - loss * Math.min(Math.max((now - begin + 0.5 * h) / over, 0), 1)), 1);
+      const input = (w: Pair): Pair => {
+        const [front, back] = thrusts(w, model);
+        return virtualInput([shares[0] * effect * front, shares[1] * effect * back]);
+      };
+      const derivative = (at: readonly number[], v: Pair) => {
+        const free = rig === null ? dynamics(at, v, plant.parameters) : rigidDynamics(at, v, rig);
+        const dx = withFrictionAndDisturbances(at, free, friction.viscous, friction.coulomb, torques);
+        if (!table && plant.travel_lift === 0) return dx;
+        return withLift(withContact(at, dx, plant.parameters, contact), plant.travel_lift);
+      };
+      x = rk4Step(derivative, x, [input(speeds), input(middle), input(end)], h);
+      speeds = end;
+    }
   }
-  return measure(plant, { ...state, x, rotors: start, pending }, dt);
+
+  if (rest > 0) fly(state.arrived, time, rest); // what arrived last stays until the next arrives
+  fly(arriving, time + rest, dt - rest);
+  return measure(plant, { ...state, x, motors, rotors: speeds, arrived: arriving, pending }, dt);
 }
 
 /** Accelerations in the h s from a time on; a push counts for the share of them in which it is on. */
@@ -112,21 +180,17 @@ function disturb(pushes: Push[], time: number, h: number): number[] {
   return accelerations;
 }
 
-/** What the encoders tell of the angles. */
+/** What the encoders read of the angles. */
 function encoded({ sensors }: Plant, x: readonly number[]): number[] {
-  return [x[0], x[2], x[4]].map((angle, i) => {
-    if (sensors === null) return angle;
-    const count = (2 * Math.PI) / sensors.counts[i];
-    return count * Math.floor(angle / count + 0.5);
-  });
+  return [x[0], x[2], x[4]].map((angle, i) => (sensors === null ? angle : quantise(angle - sensors.zeros[i], sensors.counts[i])));
 }
 
-/** The next angles, and the rates, which are the filtered difference quotients of what the encoders tell. */
+/** The next angles, and the rates, which are the filtered difference quotients of the encoders' angles. */
 function measure(plant: Plant, state: PlantState, dt: number): PlantState {
   const { x } = state;
   const angles = encoded(plant, x);
   if (plant.sensors === null) return { ...state, angles, rates: [x[1], x[3], x[5]] };
-  const kept = Math.exp(-dt / plant.sensors.rate_filter);
-  const rates = angles.map((angle, i) => kept * state.rates[i] + ((1 - kept) * (angle - state.angles[i])) / dt);
+  const decay = Math.exp(-dt / plant.sensors.rate_filter);
+  const rates = angles.map((angle, i) => decay * state.rates[i] + ((1 - decay) * (angle - state.angles[i])) / dt);
   return { ...state, angles, rates };
 }

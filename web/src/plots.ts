@@ -1,13 +1,15 @@
-// Plots over time: uPlot with limits as shaded bands, one playhead, and values that follow it.
+// Plots over time: uPlot with limits as shaded bands, a playhead that the keyboard moves too, and values that follow it.
 
 import uPlot from "uplot";
-import { shown } from "./dom";
+import { make, onTheme, shown, themed } from "./dom";
+import { dashOf, shapeOf, swatch } from "./marks";
 
 export interface Line {
   label: string;
-  colour: string;
+  colour: string; // "" is that of the text
   dashed?: boolean;
   held?: boolean; // from each sample to the next
+  mark?: number; // index of the policy, whose marker and dashes it has
 }
 
 export interface PlotOptions {
@@ -22,38 +24,38 @@ export interface PlotOptions {
   sync?: string; // plots with the same key share cursor and zoom
 }
 
-const INK = "#5d6876";
-const GRID = "#e6eaef";
 export const LIMIT = "#D55E00";
 const FONT = "11px system-ui, sans-serif";
+const MARKS = 7; // markers on a line
+const MARK_SIZE = 3.6; // px
 
 const groups = new Map<string, Plot[]>();
 
 /** One panel: a heading with the values at the playhead, and the plot. */
 export class Plot {
-  readonly element = document.createElement("figure");
+  readonly element: HTMLElement;
+  private readonly place: HTMLElement;
   private readonly values: HTMLElement[];
-  private readonly playhead = document.createElement("div");
+  private readonly playhead = make("div", { class: "playhead" });
   private readonly plot: uPlot;
 
-  constructor(private readonly options: PlotOptions) {
+  constructor(readonly options: PlotOptions) {
     const { title, unit, lines, duration, sync, onTime } = options;
-    const caption = document.createElement("figcaption");
-    const heading = caption.appendChild(document.createElement("span"));
-    heading.textContent = `${title} (${unit})`;
-    const readout = caption.appendChild(document.createElement("span"));
-    readout.className = "readout";
-    this.values = lines.map(({ colour, label }) => {
-      const value = readout.appendChild(document.createElement("span"));
-      value.style.color = colour;
-      value.title = label;
-      return value;
+    const heading = `${title} (${unit})`;
+    this.values = lines.map(({ colour, label, mark, dashed }) => {
+      const sign = mark === undefined ? make("i", { class: dashed ? "line dashed" : "line", style: `--colour:${colour || "var(--ink)"}` }) : swatch(mark, colour);
+      return make("span", { title: label, class: "value" }, sign, make("b"));
     });
-    const place = document.createElement("div");
-    place.className = "plot";
-    this.element.append(caption, place);
+    const keys = { tabindex: 0, role: "slider", "aria-label": heading, "aria-valuemin": 0, "aria-valuemax": duration, "aria-valuenow": 0, "aria-valuetext": "" };
+    this.place = make("div", { class: "plot", ...(onTime ? keys : { role: "img", "aria-label": heading }) });
+    this.element = make("figure", {}, make("figcaption", {}, make("span", {}, heading), make("span", { class: "readout" }, ...this.values)), this.place);
 
-    const axis = { stroke: INK, font: FONT, grid: { stroke: GRID, width: 1 }, ticks: { stroke: GRID, width: 1, size: 4 } };
+    const axis = {
+      stroke: () => themed("soft"),
+      font: FONT,
+      grid: { stroke: () => themed("grid"), width: 1 },
+      ticks: { stroke: () => themed("grid"), width: 1, size: 4 },
+    };
     const stepped = uPlot.paths.stepped!({ align: 1 });
     this.plot = new uPlot(
       {
@@ -77,37 +79,44 @@ export class Plot {
         ],
         series: [
           {},
-          ...lines.map(({ label, colour, dashed, held }) => ({
+          ...lines.map(({ label, colour, dashed, held, mark }) => ({
             label,
-            stroke: colour,
+            stroke: () => colour || themed("ink"),
             width: dashed ? 1.25 : 1.6,
             points: { show: false },
-            ...(dashed && { dash: [5, 4] }),
+            ...(dashed ? { dash: [5, 4] } : mark !== undefined && { dash: dashOf(mark) }),
             ...(held && { paths: stepped }),
           })),
         ],
         hooks: {
           drawClear: [(plot) => options.limits && shade(plot, options.limits)],
+          draw: [(plot) => lines.forEach((line, i) => line.mark !== undefined && drawMarks(plot, i + 1, line))],
           setScale: [(plot, key) => key === "x" && this.zoomGroup(plot)],
           setSize: [() => this.seek(this.time)],
         },
       },
       [[0, duration], ...lines.map(() => [null, null])] as uPlot.AlignedData,
-      place,
+      this.place,
     );
-    this.playhead.className = "playhead";
     this.plot.over.append(this.playhead);
     if (onTime) {
       this.plot.over.addEventListener("click", (event) => {
         const { left } = this.plot.over.getBoundingClientRect();
         onTime(this.plot.posToVal(event.clientX - left, "x"));
       });
+      this.place.addEventListener("keydown", (event) => this.key(event, onTime));
     }
     if (sync) groups.set(sync, [...(groups.get(sync) ?? []), this]);
-    new ResizeObserver(() => this.plot.setSize({ width: place.clientWidth, height: place.clientHeight })).observe(place);
+    new ResizeObserver(() => this.plot.setSize({ width: this.place.clientWidth, height: this.place.clientHeight })).observe(this.place);
+    onTheme(() => this.plot.redraw(false));
   }
 
   private time = 0;
+
+  /** The picture, for what copies it. */
+  get canvas(): HTMLCanvasElement {
+    return this.plot.ctx.canvas;
+  }
 
   /** Times (K,) in s and one array of values per line. */
   show(times: number[], values: (number | null)[][]): void {
@@ -119,6 +128,7 @@ export class Plot {
   /** The whole of a flight of another duration. */
   setDuration(duration: number): void {
     this.options.duration = duration;
+    this.place.setAttribute("aria-valuemax", `${duration}`);
     this.plot.setScale("x", { min: 0, max: duration });
   }
 
@@ -126,12 +136,16 @@ export class Plot {
     this.options.limits = limits;
   }
 
+  setRange(range: readonly [number, number]): void {
+    this.options.range = range;
+  }
+
   setVisible(line: number, visible: boolean): void {
     this.plot.setSeries(line + 1, { show: visible });
     this.values[line].hidden = !visible;
   }
 
-  /** Puts the playhead and the values beside the heading to a time in s. */
+  /** Puts the playhead, and the values under the heading, to a time in s. */
   seek(time: number): void {
     this.time = time;
     const { left, width } = this.plot.bbox;
@@ -143,8 +157,41 @@ export class Plot {
     if (times.length > 1) k = Math.min(Math.max(Math.round((time - times[0]) / (times[1] - times[0])), 0), times.length - 1);
     lines.forEach((line, i) => {
       const value = line[k];
-      this.values[i].textContent = value == null ? "–" : shown(value, this.options.digits ?? 1);
+      const text = value == null ? "–" : shown(value, this.options.digits ?? 1);
+      const place = this.values[i].lastElementChild!;
+      if (place.textContent !== text) place.textContent = text;
     });
+    if (document.activeElement === this.place) this.describe();
+  }
+
+  /** What the plot shows now, in words. */
+  private describe(): void {
+    const texts = this.values.flatMap((value) => (value.hidden ? [] : [`${value.title} ${value.textContent}`]));
+    this.place.setAttribute("aria-valuenow", this.time.toFixed(2));
+    this.place.setAttribute("aria-valuetext", `at ${this.time.toFixed(2)} s: ${texts.join(", ")} ${this.options.unit}`);
+  }
+
+  /** Arrows move the time, plus and minus zoom where that is possible. */
+  private key(event: KeyboardEvent, onTime: (time: number) => void): void {
+    const step = event.shiftKey ? 1 : 0.1;
+    const { min, max } = this.plot.scales.x;
+    const zoomed = (factor: number) => {
+      const half = 0.5 * factor * ((max ?? 1) - (min ?? 0));
+      const middle = Math.min(Math.max(this.time, half), Math.max(this.options.duration - half, half));
+      this.plot.setScale("x", { min: Math.max(middle - half, 0), max: Math.min(middle + half, this.options.duration) });
+    };
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => onTime(Math.max(this.time - step, 0)),
+      ArrowRight: () => onTime(Math.min(this.time + step, this.options.duration)),
+      Home: () => onTime(0),
+      End: () => onTime(this.options.duration),
+      ...(this.options.sync && { "+": () => zoomed(0.5), "=": () => zoomed(0.5), "-": () => zoomed(2), "0": () => zoomed(1e3) }),
+    };
+    const action = actions[event.key];
+    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+    action();
+    this.describe();
+    event.preventDefault();
   }
 
   private visible(low: number, high: number, least?: readonly [number, number]): [number, number] {
@@ -181,5 +228,32 @@ function shade(plot: uPlot, limits: readonly [number, number]): void {
     ctx.lineTo(bbox.left + bbox.width, Math.round(y) + 0.5);
   }
   ctx.stroke();
+  ctx.restore();
+}
+
+/** A few markers along a line, at other places than those of the other lines. */
+function drawMarks(plot: uPlot, series: number, { mark = 0, colour }: Line): void {
+  if (!plot.series[series].show) return;
+  const { ctx, bbox } = plot;
+  const { min, max } = plot.scales.x;
+  const [times, values] = [plot.data[0], plot.data[series]];
+  if (min == null || max == null || times.length < 2) return;
+  const size = MARK_SIZE * devicePixelRatio;
+  const shape = new Path2D(shapeOf(mark));
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  ctx.fillStyle = colour || themed("ink");
+  for (let n = 0; n < MARKS; n++) {
+    const time = min + ((n + 0.2 + 0.13 * mark) / MARKS) * (max - min);
+    const value = values[Math.round((time - times[0]) / (times[1] - times[0]))];
+    if (value == null) continue;
+    ctx.save();
+    ctx.translate(plot.valToPos(time, "x", true), plot.valToPos(value, "y", true));
+    ctx.scale(size, size);
+    ctx.fill(shape);
+    ctx.restore();
+  }
   ctx.restore();
 }

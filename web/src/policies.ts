@@ -2,7 +2,7 @@
 
 import { type Actuator, type Uncertainty, accommodated, kalmanGains, predict } from "./estimation";
 import { type Matrix, applied, minus } from "./matrices";
-import { type Pair, type Parameters, clip, hoverInput, virtualInput, voltages } from "./model";
+import { type Model, type Pair, clip, hoverInput, inputAt, voltages } from "./model";
 import type { Plan } from "./plan";
 import { regulatorGains } from "./regulation";
 import type { Weights } from "./tvlqr";
@@ -38,8 +38,10 @@ export interface Tracking {
 }
 
 /** Fig. 3: a feedforward and a state feedback on the tracking error. It remembers nothing. */
-export function trackingController({ x, v, gains }: Tracking, parameters: Parameters): Controller {
+export function trackingController(tracking: Tracking, parameters: Model): Controller & { tracking: Tracking } {
+  const { x, v, gains } = tracking;
   return {
+    tracking,
     voltages(period, measured) {
       const k = Math.min(period, x.length - 1);
       if (gains === null) return voltages(v[k], parameters);
@@ -50,12 +52,12 @@ export function trackingController({ x, v, gains }: Tracking, parameters: Parame
 }
 
 /** The feedforward alone, or with gains the paper's controller. */
-export function feedforward({ x, middle }: Reference, gains: Matrix[] | null, parameters: Parameters): Tracking {
-  return { x, v: middle.map((u) => virtualInput(u, parameters)), gains };
+export function feedforward({ x, middle }: Reference, gains: Matrix[] | null, parameters: Model): Tracking {
+  return { x, v: middle.map((u) => inputAt(u, parameters)), gains };
 }
 
 /** A stationary regulator about hover at the goal that follows the states without any feedforward. */
-export function hoverTracking({ x }: Reference, gain: Matrix, parameters: Parameters): Tracking {
+export function hoverTracking({ x }: Reference, gain: Matrix, parameters: Model): Tracking {
   const hover = hoverInput(x.at(-1)![2], parameters);
   return { x, v: x.map(() => hover), gains: x.map(() => gain) };
 }
@@ -78,9 +80,9 @@ export function kalmanLqrGains(
   { x, u }: Reference,
   settings: KalmanSettings,
   period: number,
-  parameters: Parameters,
+  parameters: Model,
 ): KalmanGains {
-  const v = u.map((volts) => virtualInput(volts, parameters));
+  const v = u.map((volts) => inputAt(volts, parameters));
   return {
     regulator: regulatorGains(x, v, period, parameters, settings.weights, settings.actuator.lag),
     observer: kalmanGains(x, v, period, parameters, settings),
@@ -93,7 +95,7 @@ export interface Task {
   pitchLimits: Pair; // rad
   amplifier: Pair; // V
   period: number; // s
-  parameters: Parameters;
+  parameters: Model;
 }
 
 /** A regulator for lagging rotors on the estimates of a filter, predicted for the time when the voltages take effect. */
@@ -148,7 +150,7 @@ export class KalmanController implements Controller {
   private regulated(k: number, { x, rotors }: { x: number[]; rotors: Pair }): Pair {
     const { reference, pitchLimits, parameters } = this.task;
     const { least_lift } = this.settings;
-    const [v, vReference, vCommand] = [rotors, reference.u[k], this.command[k]].map((u) => virtualInput(u, parameters));
+    const [v, vReference, vCommand] = [rotors, reference.u[k], this.command[k]].map((u) => inputAt(u, parameters));
     const hold = accommodated(reference.x[k], vReference, this.disturbance, pitchLimits, least_lift, parameters);
     const correction = applied(this.gains.regulator[k], [...minus(x, hold.x), ...minus(v, hold.v)]);
     return voltages(vCommand.map((asked, i) => asked + (hold.v[i] - vReference[i]) - correction[i]) as Pair, parameters);

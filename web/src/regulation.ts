@@ -2,7 +2,8 @@
 
 import { discretised } from "./estimation";
 import { type Matrix, plus, scaled, solved, symmetric, times, transposed } from "./matrices";
-import { type Pair, type Parameters, linearise } from "./model";
+import type { Parameters } from "./equations";
+import { type Pair, linearise } from "./model";
 import type { Weights } from "./tvlqr";
 
 /** (3), linearised, with v as two more states, which follow the v that is asked for with a lag in s. */

@@ -1,11 +1,12 @@
 // The report of an evaluation: its table, and its flights to look at in 3D and in plots.
 
-import { FrameMeter, REFERENCE, View, deg, isForControl, keyHelp, make, shown } from "./dom";
+import { FrameMeter, View, deg, isForControl, keyHelp, make, onTheme, scrollable, shown } from "./dom";
 import { Histograms } from "./histogram";
-import { type Pair, type Parameters, thrust, virtualInput } from "./model";
+import type { RigidBody } from "./equations";
+import { type Model, type Pair, inputAt, thrustBounds } from "./model";
+import { swatch } from "./marks";
 import { Plot, type PlotOptions } from "./plots";
 import { type Pose, makeStage } from "./rig";
-import type { Rig } from "./rigid";
 import { SetPlot } from "./sets";
 
 /** States (6 x K) in rad and rad/s and voltages (2 x K) in V, `step` s apart. */
@@ -35,14 +36,14 @@ export interface ReportData {
   gains: { step: number; K: number[][][] } | null; // 2 x 6 x K
   limits: { u: Pair; pitch: Pair };
   amplifier: Pair;
-  parameters: Parameters;
-  rig: Rig;
+  parameters: Model;
+  rig: RigidBody;
 }
 
 type Lines = "flights" | "gains" | number; // one line per policy, none, or all of one policy
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
 const ANGLES = ["travel", "elevation", "pitch"];
-const GAIN_COLOURS = ["#0072B2", "#56B4E9", "#009E73", "#9bd3c0", "#CC79A7", "#e6bcd3"];
+const GAIN_COLOURS = ["#0072B2", "#56B4E9", "#009E73", "#E69F00", "#CC79A7", "#7A5195"];
 const GAIN_LABELS = ["travel", "travel rate", "elevation", "elevation rate", "pitch", "pitch rate"];
 
 export function showReport(data: ReportData, main: HTMLElement): void {
@@ -71,7 +72,7 @@ export function showReport(data: ReportData, main: HTMLElement): void {
           ...row.map((cell, i) => {
             const known = i === 1 ? policies.indexOf(cell) : -1;
             if (known < 0) return make("td", {}, cell);
-            return make("td", { title: cell }, make("i", { style: `background:${colours[known]}` }), labels[known]);
+            return make("td", { title: cell }, swatch(known, colours[known]), labels[known]);
           }),
         ),
       ),
@@ -80,15 +81,15 @@ export function showReport(data: ReportData, main: HTMLElement): void {
 
   // The stage
 
-  const views = policies.map((_, i) => new View(labels[i], colours[i]));
-  const canvas = make("canvas", { role: "img", "aria-label": "the flights in 3D; drag to look from elsewhere" });
+  const views = policies.map((_, i) => new View(labels[i], colours[i], i));
+  const canvas = make("canvas", { tabindex: 0, role: "application", "aria-label": "the flights in 3D; drag, or use the arrow keys, to look from elsewhere" });
   const stageElement = make("div", { class: "stage" }, canvas, ...views.map((view) => view.element));
   const meter = new FrameMeter();
 
   // The plots
 
-  const reference = { label: "plan", colour: REFERENCE, dashed: true };
-  const flown = labels.map((label, i) => ({ label, colour: colours[i] }));
+  const reference = { label: "plan", colour: "", dashed: true };
+  const flown = labels.map((label, i) => ({ label, colour: colours[i], mark: i }));
   const fans = ["front", "back"];
   const common = { duration, sync: "report", onTime: (at: number) => seek(at) };
   const plots: { plot: Plot; values: () => (number | null)[][]; lines: Lines }[] = [];
@@ -120,8 +121,8 @@ export function showReport(data: ReportData, main: HTMLElement): void {
           title: labels[i],
           unit: "V",
           lines: [
-            ...fans.map((label, n) => ({ label, colour: n === 0 ? colours[i] : REFERENCE, held: true })),
-            ...fans.map((label) => ({ label: `${label}, plan`, colour: "#8a94a1", dashed: true })),
+            ...fans.map((label, n) => ({ label, colour: n === 0 ? colours[i] : "", held: true })),
+            ...fans.map((label) => ({ label: `${label}, plan`, colour: "#7f8a97", dashed: true })),
           ],
           limits: limits.u,
           range: data.amplifier,
@@ -133,12 +134,12 @@ export function showReport(data: ReportData, main: HTMLElement): void {
   );
   const { gains } = data;
   if (gains) {
-    const lines = GAIN_LABELS.map((label, i) => ({ label, colour: GAIN_COLOURS[i] }));
+    const lines = GAIN_LABELS.map((label, i) => ({ label, colour: GAIN_COLOURS[i], mark: i }));
     panels.push(
       make(
         "div",
         { class: "legend wide" },
-        ...GAIN_LABELS.map((label, i) => make("span", { class: "line", style: `--colour:${GAIN_COLOURS[i]}` }, label)),
+        ...GAIN_LABELS.map((label, i) => make("span", {}, swatch(i, GAIN_COLOURS[i]), label)),
       ),
       ...["thrust sum", "thrust difference"].map((title, row) =>
         addPlot(
@@ -154,7 +155,7 @@ export function showReport(data: ReportData, main: HTMLElement): void {
 
   const box = ([low, high]: Pair): Pair[] => [[low, low], [high, low], [high, high], [low, high]];
   const diamond = (window: Pair): Pair[] => {
-    const [fMin, fMax] = window.map((u) => thrust(u, parameters));
+    const [fMin, fMax] = thrustBounds(window, parameters);
     return [[0, 2 * fMin], [fMax - fMin, fMin + fMax], [0, 2 * fMax], [fMin - fMax, fMin + fMax]];
   };
   const sets = [
@@ -180,7 +181,7 @@ export function showReport(data: ReportData, main: HTMLElement): void {
 
   const histograms = data.errors.some((own) => own.length > 1) ? new Histograms(data.errors, labels, colours) : null;
   const drawList = make("dl", { class: "draw" });
-  const slider = make("input", { type: "range", min: 0, max: duration, step: 0.01, value: 0, "aria-label": "time", id: "time" });
+  const slider = make("input", { type: "range", class: "time", min: 0, max: duration, step: 0.01, value: 0, "aria-label": "time", id: "time" });
   const clock = make("output", { for: "time" });
   const playButton = make("button", { class: "primary", click: () => play(!playing) }, "Play");
   const speedChoice = make("select", { "aria-label": "speed" }, ...SPEEDS.map((s) => make("option", { value: s, selected: s === 1 }, `${s}×`)));
@@ -191,7 +192,7 @@ export function showReport(data: ReportData, main: HTMLElement): void {
     ...policies.map((policy, i) => {
       const box = make("input", { type: "checkbox", checked: true });
       box.addEventListener("change", () => setVisible(i, box.checked));
-      return make("label", { style: `--colour:${colours[i]}`, title: policy }, box, labels[i]);
+      return make("label", { title: policy }, box, swatch(i, colours[i]), labels[i]);
     }),
     make("span", { class: "line dashed" }, "plan"),
   );
@@ -201,7 +202,7 @@ export function showReport(data: ReportData, main: HTMLElement): void {
 
   main.append(
     make("header", {}, make("h1", {}, data.title), make("p", {}, data.subtitle)),
-    make("section", {}, make("h2", {}, "Results"), make("p", {}, data.table.title), make("div", { class: "scroll" }, table), make("p", { class: "small" }, data.table.caption)),
+    make("section", {}, make("h2", {}, "Results"), make("p", {}, data.table.title), scrollable("results", table), make("p", { class: "small" }, data.table.caption)),
     make("section", {}, make("h2", {}, "Flights"), make("div", { class: "bar" }, make("label", {}, "flights ", groupChoice), legend), stageElement, drawList),
     ...(histograms === null
       ? []
@@ -218,7 +219,7 @@ export function showReport(data: ReportData, main: HTMLElement): void {
     make(
       "footer",
       {},
-      keyHelp([["Space", "play, pause"], ["← →", "0.1 s back, on (with Shift 1 s)"], ["Home End", "to the start, to the end"], ["1 2", "the first, the second choice of flights"]]),
+      keyHelp([["Space", "play, pause"], ["← →", "0.1 s back, forwards (with Shift 1 s); on the 3D view, look around"], ["Home End", "to the start, to the end"], ["1 2", "first, second choice of flights"], ["+ - 0", "on a plot: zoom in, out, show all"]]),
       meter.element,
     ),
     make("div", { class: "transport" }, playButton, slider, clock, speedChoice),
@@ -255,7 +256,7 @@ export function showReport(data: ReportData, main: HTMLElement): void {
     for (const { plot, values } of plots) plot.show(times, values());
     const pairs = group.flights.map((flight) => (flight?.u[0] ?? []).map((front, k): Pair => [front, flight!.u[1][k]]));
     sets[0].show(pairs);
-    sets[1].show(pairs.map((path) => path.map((u) => virtualInput(u, parameters).reverse() as Pair)));
+    sets[1].show(pairs.map((path) => path.map((u) => inputAt(u, parameters).reverse() as Pair)));
     drawList.replaceChildren(...group.draw.map(([name, value]) => make("div", {}, make("dt", {}, name), make("dd", {}, value))));
     drawList.hidden = group.draw.length === 0;
     histograms?.mark(group.errors);
@@ -321,6 +322,7 @@ export function showReport(data: ReportData, main: HTMLElement): void {
     else return;
     event.preventDefault();
   });
+  onTheme(() => draw(0));
   choose(0);
   requestAnimationFrame(frame);
 }

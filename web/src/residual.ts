@@ -1,6 +1,6 @@
 // A learned correction on top of the paper's controller, as baselines/control/residual.py has it.
 
-import { type Matrix, applied, minus } from "./matrices";
+import { type Matrix, applied, float32, minus } from "./matrices";
 import { type Pair, clip } from "./model";
 import type { Controller, KalmanSettings, Task } from "./policies";
 import type { Weights } from "./tvlqr";
@@ -22,47 +22,49 @@ export interface Arrays<M, V> {
   bias: V;
 }
 
-/** The controllers for a plant: the network and the weights of the controller that it corrects, and the Kalman LQR's. */
-export interface Trained<A> {
-  kalman: KalmanSettings;
+/** A network, and the weights of the controller that it corrects. */
+export interface Learned<A> {
   weights: Weights;
   scale: number; // V, the greatest correction
   ahead: number[]; // s, at which the network sees the reference
   arrays: A;
 }
 
+/** The controllers for a plant: the Kalman LQR's settings, and the learned correction where there is one. */
+export interface Trained<A> {
+  kalman: KalmanSettings;
+  learned: Learned<A> | null;
+}
+
 /** Arrays as base64 of float32, row by row. */
 export type StoredNetwork = Trained<Arrays<string, string>>;
 export type Network = Trained<Arrays<Matrix, number[]>>;
 
-const float32 = (base64: string): number[] =>
-  Array.from(new Float32Array(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer));
-
-export function unpacked({ arrays, ...settings }: StoredNetwork): Network {
+export function unpacked({ kalman, learned }: StoredNetwork): Network {
+  if (learned === null) return { kalman, learned };
+  const { arrays, ...settings } = learned;
   const matrix = (stored: string, rows: number): Matrix => {
     const flat = float32(stored);
     const columns = flat.length / rows;
     return Array.from({ length: rows }, (_, i) => flat.slice(i * columns, (i + 1) * columns));
   };
   const [bias_input, bias_hidden, bias] = [arrays.bias_input, arrays.bias_hidden, arrays.bias].map(float32);
-  return {
-    ...settings,
-    arrays: {
-      weight_input: matrix(arrays.weight_input, bias_input.length),
-      weight_hidden: matrix(arrays.weight_hidden, bias_hidden.length),
-      weight: matrix(arrays.weight, bias.length),
-      bias_input,
-      bias_hidden,
-      bias,
-    },
+  const unpackedArrays = {
+    weight_input: matrix(arrays.weight_input, bias_input.length),
+    weight_hidden: matrix(arrays.weight_hidden, bias_hidden.length),
+    weight: matrix(arrays.weight, bias.length),
+    bias_input,
+    bias_hidden,
+    bias,
   };
+  return { kalman, learned: { ...settings, arrays: unpackedArrays } };
 }
 
 const affine = (weight: Matrix, bias: number[], values: readonly number[]): number[] =>
   applied(weight, values).map((sum, i) => sum + bias[i]);
 
 /** The actions in [-1, 1]² for features, and the next hidden state. */
-export function actions({ arrays }: Network, features: number[], hidden: readonly number[]): { action: Pair; hidden: number[] } {
+export function actions({ arrays }: Learned<Arrays<Matrix, number[]>>, features: number[], hidden: readonly number[]): { action: Pair; hidden: number[] } {
   const n = hidden.length;
   const x = affine(arrays.weight_input, arrays.bias_input, features);
   const h = affine(arrays.weight_hidden, arrays.bias_hidden, hidden);
@@ -82,7 +84,7 @@ export class ResidualController implements Controller {
   constructor(
     readonly base: Controller,
     readonly task: Task,
-    readonly network: Network,
+    readonly network: Learned<Arrays<Matrix, number[]>>,
     readonly settings: FeatureSettings,
   ) {
     this.hidden = network.arrays.weight_hidden[0].map(() => 0);

@@ -21,11 +21,13 @@ import {
   SRGBColorSpace,
   Scene,
   TorusGeometry,
+  Vector3,
   WebGLRenderer,
 } from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
-import { type Pair, type Parameters, thrust } from "./model";
-import type { Rig } from "./rigid";
+import { onTheme, themed } from "./dom";
+import type { RigidBody } from "./equations";
+import { type Model, type Pair, thrusts } from "./model";
 
 /** What is drawn in one rectangle. */
 export interface Pose {
@@ -43,6 +45,8 @@ const FLOOR_RADIUS = 1.0; // m
 const ROTOR_RADIUS = 0.1; // m
 const ARROW = 0.62; // m per N
 const SPIN = 4; // rad/s per V: slow enough that the blades are seen to turn
+
+const BODY_REACH = 46; // px, within which a drag takes hold of a body
 
 const METAL = "#8f9aa8";
 const DARK = "#39424e";
@@ -63,9 +67,14 @@ export class Stage {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(30, 1, 0.1, 20);
-  private readonly body: Body;
-  private readonly ghost: Joints;
-  private readonly shadow: Joints;
+  private body!: Body;
+  private ghost!: Joints;
+  private shadow!: Joints;
+  private rig: RigidBody | null = null;
+  private parameters!: Model;
+  private readonly floor = makeFloor();
+  private readonly shade = new MeshBasicMaterial();
+  private readonly haze = new MeshBasicMaterial({ transparent: true, opacity: 0.25, depthWrite: false });
   private readonly accent: MeshLambertMaterial;
   private readonly arrows: MeshBasicMaterial;
   private fits = false; // whether the drawing has the size of the canvas
@@ -75,6 +84,8 @@ export class Stage {
     this.fits = false;
     this.moved = true;
   });
+  private readonly centres = new Map<HTMLElement, [number, number]>(); // px from the top left, of the bodies
+  private readonly centre = new Vector3();
   private readonly spins = new Map<HTMLElement, Pair>();
   /** Whether the reader looks from elsewhere since the last drawing. */
   moved = true;
@@ -83,22 +94,47 @@ export class Stage {
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
-    rig: Rig,
-    private readonly parameters: Parameters,
+    rig: RigidBody,
+    parameters: Model,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setScissorTest(true);
     this.accent = new MeshLambertMaterial();
     this.arrows = new MeshBasicMaterial();
-    this.body = makeBody(rig, this.accent, this.arrows);
-    this.ghost = makeGhost(rig);
-    this.shadow = makeShadow(rig);
     const sun = new DirectionalLight("#ffffff", 2.4);
     sun.position.set(...SUN);
-    this.scene.add(new HemisphereLight("#ffffff", "#aab4c2", 1.9), sun, makeFloor(), makePost());
-    this.scene.add(this.body.travel, this.ghost.travel, this.shadow.travel.parent!);
+    this.scene.add(new HemisphereLight("#ffffff", "#aab4c2", 1.9), sun, this.floor, makePost());
+    this.setRig(rig, parameters);
     this.camera.up.set(0, 0, 1);
     this.orbitByDragging();
+    this.orbitByKeys();
+    this.paint();
+    onTheme(() => this.paint());
+  }
+
+  /** Draws another rig from now on. */
+  setRig(rig: RigidBody, parameters: Model): void {
+    this.parameters = parameters;
+    if (rig === this.rig) return;
+    this.rig = rig;
+    const old = this.body ? [this.body.travel, this.ghost.travel, this.shadow.travel.parent!] : [];
+    for (const group of old) {
+      this.scene.remove(group);
+      group.traverse((part) => part instanceof Mesh && part.geometry.dispose());
+    }
+    this.body = makeBody(rig, this.accent, this.arrows);
+    this.ghost = silhouette(rig, this.haze);
+    this.shadow = makeShadow(rig, this.shade);
+    this.scene.add(this.body.travel, this.ghost.travel, this.shadow.travel.parent!);
+    this.moved = true;
+  }
+
+  /** The colours that follow the reader's preference for light or dark. */
+  private paint(): void {
+    this.floor.material.color.set(themed("floor"));
+    this.shade.color.set(themed("shadow"));
+    this.haze.color.set(themed("ghost"));
+    this.moved = true;
   }
 
   /** All poses, `seconds` after the last ones. */
@@ -110,6 +146,7 @@ export class Stage {
       renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
       this.fits = true;
     }
+    this.centres.clear();
     for (const pose of poses) {
       const { left, bottom, width, height } = this.placeOf(pose.element);
       renderer.setViewport(left, bottom, width, height);
@@ -126,6 +163,9 @@ export class Stage {
       camera.updateProjectionMatrix();
       this.place(pose, seconds);
       renderer.render(this.scene, camera);
+      const centre = this.centre.setFromMatrixPosition(this.body.pitch.matrixWorld).project(camera);
+      const top = canvas.clientHeight - bottom - height;
+      this.centres.set(pose.element, [left + (0.5 + 0.5 * centre.x) * width, top + (0.5 - 0.5 * centre.y) * height]);
     }
   }
 
@@ -150,8 +190,9 @@ export class Stage {
     if (ghost) turn(this.ghost, ghost);
     const spins = this.spins.get(element) ?? [0, 0];
     this.spins.set(element, spins);
+    const forces = thrusts(u, this.parameters);
     this.body.rotors.forEach(({ blades, blur, arrow }, i) => {
-      const force = thrust(u[i], this.parameters);
+      const force = forces[i];
       spins[i] += (i ? -1 : 1) * SPIN * u[i] * seconds;
       blades.rotation.z = spins[i];
       blur.material.opacity = Math.min(0.75 * Math.abs(force), 0.6);
@@ -165,20 +206,59 @@ export class Stage {
     });
   }
 
+  /** Turns the view by angles in rad. */
+  private orbit(azimuth: number, height: number): void {
+    this.moved = true;
+    this.azimuth += azimuth;
+    this.height = Math.min(Math.max(this.height + height, 0.05), 1.45);
+  }
+
+  private orbitByKeys(): void {
+    const turns: Record<string, [number, number]> = { ArrowLeft: [0.1, 0], ArrowRight: [-0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
+    this.canvas.addEventListener("keydown", (event) => {
+      const turned = turns[event.key];
+      if (!turned || event.ctrlKey || event.metaKey || event.altKey) return;
+      this.orbit(...turned);
+      event.preventDefault();
+    });
+  }
+
+  /** A drag that starts on a body pushes it, if anybody listens; any other drag turns the view. */
+  onBodyDrag: ((dx: number, dy: number) => void) | null = null;
+
   private orbitByDragging(): void {
     const surface = this.canvas.parentElement!;
     this.resized.observe(surface);
+    let held: { x: number; y: number } | null = null;
+    surface.addEventListener("pointerdown", (event) => {
+      if (!this.onBodyDrag || !this.hitsBody(event)) return;
+      held = { x: event.clientX, y: event.clientY };
+      surface.setPointerCapture(event.pointerId);
+      surface.classList.add("pushing");
+    });
+    const release = () => {
+      held = null;
+      this.onBodyDrag?.(0, 0);
+      surface.classList.remove("pushing");
+    };
+    surface.addEventListener("pointerup", release);
+    surface.addEventListener("pointercancel", release);
     surface.addEventListener("pointermove", (event) => {
       if (event.buttons === 0) return;
-      this.moved = true;
-      this.azimuth -= 0.008 * event.movementX;
-      this.height = Math.min(Math.max(this.height + 0.005 * event.movementY, 0.05), 1.45);
+      if (held) this.onBodyDrag?.(event.clientX - held.x, event.clientY - held.y);
+      else this.orbit(-0.008 * event.movementX, 0.005 * event.movementY);
     });
+  }
+
+  /** Whether a pointer is near the body of a helicopter, as drawn last. */
+  private hitsBody({ clientX, clientY }: PointerEvent): boolean {
+    const frame = this.canvas.getBoundingClientRect();
+    return [...this.centres.values()].some(([x, y]) => Math.hypot(clientX - frame.left - x, clientY - frame.top - y) < BODY_REACH);
   }
 }
 
 /** Whether the stage works here. */
-export function makeStage(canvas: HTMLCanvasElement, rig: Rig, parameters: Parameters): Stage | null {
+export function makeStage(canvas: HTMLCanvasElement, rig: RigidBody, parameters: Model): Stage | null {
   try {
     return new Stage(canvas, rig, parameters);
   } catch {
@@ -229,7 +309,7 @@ function makePost(): Mesh {
 }
 
 /** The parts that turn with travel, with elevation, and with pitch, but for the rotors. */
-function partsOf({ l_h, l_p, l_c, d_c }: Rig): [Part[], Part[], Part[]] {
+function partsOf({ l_h, l_p, l_c, d_c }: RigidBody): [Part[], Part[], Part[]] {
   const fork = [0.028, -0.028].map((y): Part => [box(0.05, 0.012, 0.09, 0, y, -0.012), DARK]);
   const arm: Part[] = [
     [rod(0.07, 0.008, "y"), METAL],
@@ -248,7 +328,7 @@ function partsOf({ l_h, l_p, l_c, d_c }: Rig): [Part[], Part[], Part[]] {
 
 const guard = (y: number) => new TorusGeometry(ROTOR_RADIUS, 0.006, 10, 48).translate(0, y, 0.03);
 
-function nested(rig: Rig, [fork, arm, frame]: Mesh[]): Joints {
+function nested(rig: RigidBody, [fork, arm, frame]: Mesh[]): Joints {
   const [travel, elevation, pitch] = [new Group(), new Group(), new Group()];
   travel.add(fork, elevation);
   elevation.add(arm, pitch);
@@ -257,7 +337,7 @@ function nested(rig: Rig, [fork, arm, frame]: Mesh[]): Joints {
   return { travel, elevation, pitch };
 }
 
-function makeBody(rig: Rig, accent: Material, arrows: Material): Body {
+function makeBody(rig: RigidBody, accent: Material, arrows: Material): Body {
   const material = painted();
   const [fork, arm, frame] = partsOf(rig);
   frame.push([guard(-rig.l_p), METAL]);
@@ -282,19 +362,15 @@ function makeBody(rig: Rig, accent: Material, arrows: Material): Body {
 }
 
 /** The body in one colour, without what turns or grows. */
-function silhouette(rig: Rig, material: Material): Joints {
+function silhouette(rig: RigidBody, material: Material): Joints {
   const [fork, arm, frame] = partsOf(rig);
   frame.push([guard(rig.l_p), DARK], [guard(-rig.l_p), DARK]);
   return nested(rig, [fork, arm, frame].map((parts) => merged(parts, material)));
 }
 
-function makeGhost(rig: Rig): Joints {
-  return silhouette(rig, new MeshBasicMaterial({ color: "#3b4654", transparent: true, opacity: 0.2, depthWrite: false }));
-}
-
 /** The body once more, flattened onto the floor along the light: far less work than a shadow map. */
-function makeShadow(rig: Rig): Joints {
-  const shadow = silhouette(rig, new MeshBasicMaterial({ color: "#c3ccd7" }));
+function makeShadow(rig: RigidBody, material: Material): Joints {
+  const shadow = silhouette(rig, material);
   const [x, y, z] = SUN;
   const [height, a, b] = [FLOOR + 0.003, -x / z, -y / z];
   const flattened = new Group();
@@ -305,7 +381,7 @@ function makeShadow(rig: Rig): Joints {
 }
 
 /** A disc with the angles of travel around it. */
-function makeFloor(): Mesh {
+function makeFloor(): Mesh<CircleGeometry, MeshBasicMaterial> {
   const canvas = document.createElement("canvas");
   const size = 1536;
   canvas.width = canvas.height = size;

@@ -2,29 +2,22 @@
 
 import { make } from "./dom";
 import type { Pair } from "./model";
+import { shapeOf } from "./marks";
 import { LIMIT } from "./plots";
+import { joined, svg } from "./svg";
 
 const SIZE = 400;
 const MARGIN = { left: 44, right: 10, top: 10, bottom: 38 };
 const TAIL = 75; // samples
-const SVG = "http://www.w3.org/2000/svg";
-
-export function svg(tag: string, attributes: Record<string, string | number>, text = ""): SVGElement {
-  const element = document.createElementNS(SVG, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
-  element.textContent = text;
-  return element;
-}
-
-export const joined = (points: Pair[]) => points.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(" ");
-
 export interface SetOptions {
   title: string;
   axes: [string, string];
-  corners: Pair[]; // of the set
+  corners?: Pair[]; // of the set
+  curve?: Pair[]; // that all points are on
   outer?: Pair[]; // of what the amplifier can do
   ticks: [number[], number[]];
   colours: string[]; // one per flight
+  marks?: boolean; // whether a flight has the marker of its index
 }
 
 /** A plane with the set in it, one path per flight, and a dot on each. */
@@ -36,8 +29,8 @@ export class SetPlot {
   private readonly place: (point: Pair) => Pair;
   private points: Pair[][] = [];
 
-  constructor({ title, axes, corners, outer = [], ticks, colours }: SetOptions) {
-    const all = [...corners, ...outer];
+  constructor({ title, axes, corners = [], outer = [], curve = [], ticks, colours, marks = true }: SetOptions) {
+    const all = [...corners, ...outer, ...curve];
     const bounds = [0, 1].map((i) => [Math.min(...all.map((c) => c[i])), Math.max(...all.map((c) => c[i]))]);
     const pads = bounds.map(([low, high]) => 0.08 * (high - low));
     const inner = { width: SIZE - MARGIN.left - MARGIN.right, height: SIZE - MARGIN.top - MARGIN.bottom };
@@ -45,7 +38,7 @@ export class SetPlot {
       MARGIN.left + (inner.width * (x - bounds[0][0] + pads[0])) / (bounds[0][1] - bounds[0][0] + 2 * pads[0]),
       MARGIN.top + inner.height - (inner.height * (y - bounds[1][0] + pads[1])) / (bounds[1][1] - bounds[1][0] + 2 * pads[1]),
     ];
-    const picture = svg("svg", { viewBox: `0 0 ${SIZE} ${SIZE}`, role: "img", "aria-label": title });
+    const picture = svg("svg", { viewBox: `0 0 ${SIZE} ${SIZE}`, role: "img", "aria-label": `${title}: ${axes.join(", ")}` });
     const frame = { x: MARGIN.left, y: MARGIN.top, ...inner };
     picture.append(svg("rect", { ...frame, class: "frame" }));
     for (const tick of ticks[0]) {
@@ -68,14 +61,16 @@ export class SetPlot {
     );
     const polygon = (points: Pair[]) => joined(points.map(this.place));
     if (outer.length) picture.append(svg("polygon", { points: polygon(outer), class: "outer" }));
-    picture.append(svg("polygon", { points: polygon(corners), class: "set", stroke: LIMIT }));
+    if (corners.length) picture.append(svg("polygon", { points: polygon(corners), class: "set", stroke: LIMIT }));
+    if (curve.length) picture.append(svg("polyline", { points: polygon(curve), class: "curve" }));
     const line = (kind: string) => colours.map((colour) => svg("polyline", { class: kind, stroke: colour, points: "" }));
     [this.paths, this.tails] = [line("path"), line("path tail")];
-    this.dots = colours.map((colour) => svg("circle", { r: 4.5, fill: colour, class: "dot" }));
+    this.dots = colours.map((colour, i) => svg("path", { d: shapeOf(marks ? i : 0), fill: colour, class: "dot" }));
     picture.append(...this.paths, ...this.tails, ...this.dots);
     this.element = make("figure", { class: "set" }, make("figcaption", {}, make("span", {}, title)), picture as unknown as Node);
   }
 
+  /** Points over time, one path per flight. */
   show(points: Pair[][]): void {
     this.points = points.map((path) => path.map(this.place));
     this.paths.forEach((path, i) => path.setAttribute("points", joined(this.points[i])));
@@ -93,8 +88,7 @@ export class SetPlot {
       const now = Math.min(sample, points.length - 1);
       const [x, y] = points[now];
       this.tails[i].setAttribute("points", joined(points.slice(Math.max(0, now - TAIL), now + 1)));
-      dot.setAttribute("cx", x.toFixed(1));
-      dot.setAttribute("cy", y.toFixed(1));
+      dot.setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)}) scale(5)`);
     });
   }
 }
