@@ -412,8 +412,16 @@ def score(args: Args, row: dict[str, Any]) -> float:
 # Training
 
 
-def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
-    """Train, or continue, and return the folder of the run; `stop_after` chunks it stops like an interrupt."""
+def train(
+    args: Args,
+    console: Console,
+    stop_after: int | None = None,
+    after_chunk: Callable[[int], None] | None = None,
+) -> Path:
+    """Train, or continue, and return the folder of the run; `stop_after` chunks it stops like an interrupt.
+
+    Calls `after_chunk` with the number of chunks so far, after each checkpoint.
+    """
     args = with_defaults(args)
     check(args)
     folder = run_folder(args)
@@ -464,6 +472,8 @@ def train(args: Args, console: Console, stop_after: int | None = None) -> Path:
             agent.logger.dump(agent.num_timesteps)
             write_json(folder / "history.json", history)
             save_checkpoint(folder / "checkpoints", number, state_of(agent, history))
+            if after_chunk:
+                after_chunk(number + 1)
             travel, elevation, _ = row["rms_error_deg"]
             progress.update(
                 bar,

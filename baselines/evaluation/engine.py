@@ -29,6 +29,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 EngineName = Literal["local", "ray"]
+IfLost = Callable[[Any, str], Any]
 
 MOST_WORKERS = 256
 RETRIES = 5  # times that a task runs again after its process or machine was lost
@@ -39,11 +40,14 @@ OBJECT_STORE = 100 * 2**20  # bytes; tasks and results are small
 class Engine(Protocol):
     """Runs tasks in parallel."""
 
-    def results(self, function: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterator[tuple[int, Any]]:
+    def results(
+        self, function: Callable[[Any], Any], tasks: Iterable[Any], if_lost: IfLost | None = None
+    ) -> Iterator[tuple[int, Any]]:
         """Yield index and result of each task, in the order of completion.
 
-        The function must be importable by other processes. Its exceptions are raised here. Raises RuntimeError if a
-        task loses its process repeatedly. Tasks in progress end when the iteration ends.
+        The function must be importable by other processes. Its exceptions are raised here. A task that has lost its
+        process repeatedly has the result of if_lost(task, reason); without it, RuntimeError is raised. Tasks in
+        progress end when the iteration ends.
         """
         ...
 
@@ -115,14 +119,21 @@ def track_results(
 class Losses:
     """Counts losses of each task's process."""
 
-    def __init__(self) -> None:
+    def __init__(self, if_lost: IfLost | None) -> None:
+        self.if_lost = if_lost
         self.counts: Counter[int] = Counter()
 
-    def add(self, index: int, reason: str) -> None:
-        """Count a loss. Raises RuntimeError for one too many."""
+    def may_repeat(self, index: int) -> bool:
+        """Count a loss, and return whether the task may run again."""
         self.counts[index] += 1
-        if self.counts[index] > RETRIES:
-            raise RuntimeError(f"task {index + 1} lost its process {self.counts[index]} times: {reason}")
+        return self.counts[index] <= RETRIES
+
+    def result(self, index: int, task: Any, reason: str) -> Any:
+        """Result of a lost task. Raises RuntimeError without `if_lost`."""
+        reason = f"its process was lost {self.counts[index]} times: {reason}"
+        if self.if_lost is None:
+            raise RuntimeError(f"task {index + 1}: {reason}")
+        return self.if_lost(task, reason)
 
 
 # Processes of this machine
@@ -168,13 +179,15 @@ class LocalEngine:
         self.finish = finish
         self.slots = [Slot() for _ in range(workers)]
 
-    def results(self, function: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterator[tuple[int, Any]]:
+    def results(
+        self, function: Callable[[Any], Any], tasks: Iterable[Any], if_lost: IfLost | None = None
+    ) -> Iterator[tuple[int, Any]]:
         """See `Engine`."""
         if len(self.slots) == 1:
             for index, task in enumerate(tasks):
                 yield index, function(task)
             return
-        waiting, again, losses = enumerate(tasks), [], Losses()
+        waiting, again, losses = enumerate(tasks), [], Losses(if_lost)
         free, running = list(self.slots), dict[Future, tuple[int, Any, Slot]]()
         interrupted = False
         try:
@@ -201,9 +214,10 @@ class LocalEngine:
                         result = future.result()
                     except BrokenProcessPool as error:
                         slot.kill()
-                        losses.add(index, str(error))
-                        again.append((index, task))
-                        continue
+                        if losses.may_repeat(index):
+                            again.append((index, task))
+                            continue
+                        result = losses.result(index, task, str(error))
                     yield index, result
         finally:
             for _, _, slot in running.values():
@@ -304,11 +318,13 @@ class RayEngine:
             else:
                 self.ray.init(address=address, **CONNECTION)
 
-    def results(self, function: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterator[tuple[int, Any]]:
+    def results(
+        self, function: Callable[[Any], Any], tasks: Iterable[Any], if_lost: IfLost | None = None
+    ) -> Iterator[tuple[int, Any]]:
         """See `Engine`."""
         ray = self.ray
         remote = ray.remote(num_cpus=1, max_retries=0, scheduling_strategy="SPREAD")(call)
-        waiting, again, losses = enumerate(tasks), [], Losses()
+        waiting, again, losses = enumerate(tasks), [], Losses(if_lost)
         running: dict[Any, tuple[int, Any]] = {}
         try:
             while True:
@@ -331,9 +347,10 @@ class RayEngine:
                             raise RuntimeError(f"a worker of Ray: {str(error.cause).splitlines()[0]}") from None
                         raise error.cause from None
                     except ray.exceptions.RayError as error:
-                        losses.add(index, str(error).splitlines()[0])
-                        again.append((index, task))
-                        continue
+                        if losses.may_repeat(index):
+                            again.append((index, task))
+                            continue
+                        result = losses.result(index, task, str(error).splitlines()[0])
                     yield index, result
         finally:
             for reference in running:

@@ -57,8 +57,10 @@ def test_a_process_killed_between_two_tasks_is_replaced(two):
 
 def test_a_task_that_always_loses_its_process_ends_with_its_number(two, monkeypatch):
     monkeypatch.setattr(engines, "RETRIES", 1)
-    with pytest.raises(RuntimeError, match="task 1 lost its process 2 times"):
+    with pytest.raises(RuntimeError, match="task 1: its process was lost 2 times"):
         list(two.results(tasks.die, [0]))
+    ((index, result),) = two.results(tasks.die, [7], if_lost=lambda task, reason: (task, reason))
+    assert (index, result[0]) == (0, 7) and "lost 2 times" in result[1]
 
 
 def test_an_error_of_a_task_is_raised_here_and_ends_the_others(engine):
