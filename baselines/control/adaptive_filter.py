@@ -63,12 +63,12 @@ class Model(NamedTuple):
 class FilterNoise(NamedTuple):
     """Process-noise intensities of the filter, prior deviations, and whether parameters are estimated."""
 
-    acceleration: float = 0.01  # rad/s per sqrt(s), white, on every axis
+    acceleration: float = 0.004  # rad/s per sqrt(s), white, on every axis
     travel_disturbance: float = 0.008  # rad/s² per sqrt(s), random walks
     elevation_disturbance: float = 0.008
     pitch_disturbance: float = 0.03
     parameters: float = 0.02  # random walk of the parameters, in prior standard deviations per sqrt(s)
-    start_disturbance: float = 0.03  # rad/s², standard deviation before a flight
+    start_disturbance: float = 0.01  # rad/s², standard deviation before a flight
     adaptive: bool = True  # False holds the parameters at the means of their priors
 
 
@@ -137,10 +137,10 @@ def unexplained(x: Any, v: Any, model: Any, p: Any) -> tuple:
 def unmodelled(x: Any, ddq1: Any, model: Any) -> tuple:
     """Accelerations (3,) in rad/s² added to (3): disturbances and centrifugal terms, at a travel acceleration ddq1.
 
-    While the arm turns, a body off the arm's line is lifted or lowered (first coefficient), and a long body is turned
-    level (second coefficient: minus the share of its pitch inertia that is distributed along its length). The reactions
-    of the second term on travel and elevation follow, for a level arm, from the ratios of the axes' inertias. Source:
-    `rigid_body.mass_matrix` and `coriolis`.
+    While the arm turns, a body off the arm's line is lifted or lowered (first coefficient). An inclined arm and a
+    pitched long body are turned level (second coefficient: minus the share of their inertia that is distributed along
+    their lengths, -1 for thin rods and 0 in (3)). The reactions of the body on travel and elevation follow, for a level
+    arm, from the ratios of the axes' inertias. Source: `rigid_body.mass_matrix` and `coriolis`.
     """
     on_travel, on_elevation, on_pitch = model.disturbance
     lift, turn = model.centrifugal
@@ -148,7 +148,8 @@ def unmodelled(x: Any, ddq1: Any, model: Any) -> tuple:
     arm = LEVER / p.b3  # (inertia of pitch) / (inertia of travel or elevation) = arm |b1| or arm |b2|
     rate, pitch_rate, s, c = x[1], x[5], sin(x[4]), cos(x[4])
     on_travel = on_travel + 2.0 * turn * arm * p.b1 * s * c * rate * pitch_rate
-    on_elevation = on_elevation + lift * rate * rate - turn * arm * p.b2 * s * (2.0 * s * rate * pitch_rate - c * ddq1)
+    on_elevation = on_elevation + (lift + turn * sin(x[2]) * cos(x[2])) * rate * rate
+    on_elevation = on_elevation - turn * arm * p.b2 * s * (2.0 * s * rate * pitch_rate - c * ddq1)
     return on_travel, on_elevation, on_pitch + turn * s * c * rate * rate
 
 

@@ -41,9 +41,9 @@ class MpcSettings(NamedTuple):
     elevation_rate: float = 0.0
     pitch: float = 0.0
     pitch_rate: float = 0.3
-    effort: float = 0.03  # per V², deviation from the voltages that fly the reference
+    effort: float = 0.005  # per V², deviation from the voltages that fly the reference
     outside: float = 0.2  # per V², excess over the planned limits (9)
-    pitch_barrier: float = 50.0  # 1/rad², pitch beyond its planned limits minus a margin
+    pitch_barrier: float = 20.0  # 1/rad², pitch beyond its planned limits minus a margin
     pitch_margin: float = 0.05  # rad
     terminal: float = 5.0  # weight of travel and elevation at the last node, in stages
     terminal_rate: float = 3283.0  # per (rad/s)², travel and elevation at the last node

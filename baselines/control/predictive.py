@@ -36,7 +36,14 @@ FIRST_ITERATIONS = 4  # iterations at the start of a flight, where the plan is t
 
 
 # For `nmpc`, disturbances also absorb the parameter errors: the best of four settings on 24 training draws.
-UNADAPTED = FilterNoise(travel_disturbance=0.1, elevation_disturbance=0.05, pitch_disturbance=0.3, adaptive=False)
+UNADAPTED = FilterNoise(
+    acceleration=0.01,
+    travel_disturbance=0.1,
+    elevation_disturbance=0.05,
+    pitch_disturbance=0.3,
+    start_disturbance=0.03,
+    adaptive=False,
+)
 
 
 class Plan(NamedTuple):
