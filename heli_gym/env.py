@@ -26,6 +26,7 @@ from heli_gym.simulation.kernels import ARRIVED, CRASHED, ENDED_OFF_GOAL, FLYING
 from heli_gym.simulation.layout import COMMAND, LAST, MEASURED, N_OUTPUTS_SENSED, REFERENCE_ROW, STEP, TIME, X
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
+from heli_gym.validation import is_number, real_array, shown
 
 ONLY = np.zeros(1, int)  # index of the only helicopter of its simulation
 STATE, MEASUREMENT, VOLTAGE = (
@@ -62,7 +63,7 @@ def find_reference(reference: str | Trajectory | Sampler) -> Trajectory | Sample
     if not exists:
         names = ", ".join(sorted(repr(known.stem) for known in REFERENCES.glob("*.npz")))
         raise ValueError(
-            f"reference = {reference!r}: must be a Trajectory, a sampler, the path of an existing .npz file or "
+            f"reference = {shown(reference)}: must be a Trajectory, a sampler, the path of an existing .npz file or "
             f"one of {names}"
         )
     try:
@@ -75,7 +76,7 @@ def find_reference(reference: str | Trajectory | Sampler) -> Trajectory | Sample
 
 def _check_duration(name: Any, reference: Trajectory) -> None:
     if reference.duration > LONGEST:
-        raise ValueError(f"reference = {name!r}: must take at most {LONGEST:g} s, not {reference.duration:g} s")
+        raise ValueError(f"reference = {shown(name)}: must take at most {LONGEST:g} s, not {reference.duration:g} s")
 
 
 def is_packaged(reference: object) -> bool:
@@ -239,7 +240,7 @@ class Heli3DOFEnv(gym.Env):
         rig: str | Rig | None = None,
     ) -> None:
         if render_mode not in (None, *self.metadata["render_modes"]):
-            raise ValueError(f"render_mode = {render_mode!r}: must be None, 'human' or 'rgb_array'")
+            raise ValueError(f"render_mode = {shown(render_mode)}: must be None, 'human' or 'rgb_array'")
         self.render_mode = render_mode
         self.renderer: Renderer | None = None
         self.plant, self.source = find_plant(plant), find_reference(reference)
@@ -259,7 +260,7 @@ class Heli3DOFEnv(gym.Env):
         self.start_spread_deg = _number("start_spread_deg", start_spread_deg, "deg", 0.0, room)
 
         if not isinstance(random_start, bool | np.bool_):
-            raise ValueError(f"random_start = {random_start!r}: must be True or False")
+            raise ValueError(f"random_start = {shown(random_start)}: must be True or False")
         self.random_start = bool(random_start)
         self.hover_voltage = hover_voltage(self.plant, self.rig, self.voltage_limits)
         self.own_simulation = self.simulation = self._simulation(self.plant)
@@ -317,7 +318,7 @@ class Heli3DOFEnv(gym.Env):
         except (AttributeError, TypeError, ValueError):  # not an array of two numbers
             time, reward, cost, over = self.step_one(self.memory, *two_numbers(action), observation, outputs)
         if over == NOT_FINITE:
-            raise ValueError(f"action = {action!r}: must be two finite real numbers")
+            raise ValueError(f"action = {shown(action)}: must be two finite real numbers")
         info = {
             "state": outputs[STATE],
             "measurement": outputs[MEASUREMENT],
@@ -351,11 +352,11 @@ class Heli3DOFEnv(gym.Env):
 
     def to_voltage(self, action: ArrayLike) -> np.ndarray:
         """Convert an action (2,) to voltages (2,) in V."""
-        return task.to_voltage(np.asarray(action, float), self.voltage_limits, self.hover_voltage)
+        return task.to_voltage(_reals("action", action), self.voltage_limits, self.hover_voltage)
 
     def to_action(self, u: ArrayLike) -> np.ndarray:
         """Convert voltages (2,) in V to an action (2,): the inverse of `to_voltage`."""
-        return task.to_action(np.asarray(u, float), self.voltage_limits, self.hover_voltage)
+        return task.to_action(_reals("u", u), self.voltage_limits, self.hover_voltage)
 
     def render(self) -> np.ndarray | None:
         """Draw the helicopter: return a picture (720, 960, 3), uint8, or draw in a window and return None.
@@ -402,7 +403,7 @@ class Heli3DOFEnv(gym.Env):
         near = state is not None and (abs(state - nominal) <= task.FARTHEST_START).all()
         if state is None or not near or task.crashed(state[4], self.pitch_limit):
             raise ValueError(
-                f"options['state'] = {value!r}: must be six finite numbers, within 1 rad and 1 rad/s of the "
+                f"options['state'] = {shown(value)}: must be six finite numbers, within 1 rad and 1 rad/s of the "
                 f"reference's start {nominal} and with the pitch within {self.pitch_limit:g} rad"
             )
         return np.array([state])
@@ -430,16 +431,16 @@ def seeded(seed: Any) -> tuple[np.random.Generator, int]:
     try:
         return np_random(int(seed) if isinstance(seed, np.integer) else seed)
     except gym.error.Error as error:
-        raise SeedError(f"seed = {seed!r}: must be a whole number, at least 0") from error
+        raise SeedError(f"seed = {shown(seed)}: must be a whole number, at least 0") from error
 
 
 def checked_options(options: Any, names: Sequence[str]) -> dict[str, Any]:
     """Options of a reset by name, None for missing ones. Raises ValueError for an unknown option."""
     if options is not None and not isinstance(options, Mapping):
-        raise ValueError(f"options = {options!r}: must be a dictionary")
+        raise ValueError(f"options = {shown(options)}: must be a dictionary")
     given = dict(options or {})
     if not set(given) <= set(names):
-        raise ValueError(f"options = {options!r}: must be among {', '.join(map(repr, names))}")
+        raise ValueError(f"options = {shown(options)}: must be among {', '.join(map(repr, names))}")
     return dict.fromkeys(names) | given
 
 
@@ -484,17 +485,8 @@ def two_numbers(action: Any) -> list[float]:
     """Convert an action to two floats. Raises ValueError if it is anything else."""
     values = _numbers(action, 2)
     if values is None:
-        raise ValueError(f"action = {action!r}: must be two finite real numbers")
+        raise ValueError(f"action = {shown(action)}: must be two finite real numbers")
     return values
-
-
-def real_array(values: Any) -> np.ndarray | None:
-    """Convert values to an array of floats; None unless they are real numbers (no booleans, text or objects)."""
-    try:
-        array = np.asarray(values)
-    except (TypeError, ValueError, OverflowError):
-        return None
-    return array.astype(float) if array.dtype.kind in "iuf" else None
 
 
 def _numbers(values: Any, count: int) -> list[float] | None:
@@ -506,10 +498,18 @@ def _numbers(values: Any, count: int) -> list[float] | None:
     return numbers if all(map(math.isfinite, numbers)) else None
 
 
+def _reals(name: str, values: Any) -> np.ndarray:
+    """Convert values to an array of floats. Raises ValueError unless they are real numbers."""
+    array = real_array(values)
+    if array is None:
+        raise ValueError(f"{name} = {shown(values)}: must be real numbers")
+    return array
+
+
 def _number(name: str, value: Any, unit: str, low: float, high: float) -> float:
     """Return the value as a float. Raises ValueError unless it is a number in [low, high]."""
-    if not isinstance(value, Real) or isinstance(value, bool) or not low <= value <= high:  # type: ignore[operator]
-        raise ValueError(f"{name} = {value!r}: must be at least {low:g} and at most {high:g} {unit}")
+    if not is_number(value) or not low <= value <= high:
+        raise ValueError(f"{name} = {shown(value)}: must be at least {low:g} and at most {high:g} {unit}")
     return float(value)
 
 
@@ -517,6 +517,6 @@ def _pair(name: str, value: Any) -> tuple[float, float]:
     numbers = _numbers(value, 2)
     if numbers is None or not -LARGEST_VOLTAGE <= numbers[0] < numbers[1] <= LARGEST_VOLTAGE:
         raise ValueError(
-            f"{name} = {value!r}: must be (min, max) in V with min < max, within {LARGEST_VOLTAGE:g} V of zero"
+            f"{name} = {shown(value)}: must be (min, max) in V with min < max, within {LARGEST_VOLTAGE:g} V of zero"
         )
     return numbers[0], numbers[1]

@@ -6,6 +6,8 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
+from heli_gym.validation import is_number, shown
+
 Scalar: TypeAlias = Any  # a float, or (N,) values that describe N helicopters
 
 
@@ -79,8 +81,9 @@ class Limits:
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
-            if value is not None and not math.isfinite(value):
-                raise ValueError(f"{name} = {value!r}: must be a finite number")
+            required = name in ("u_min", "u_max", "pitch_min", "pitch_max")
+            if not (is_number(value) or (value is None and not required)):
+                raise ValueError(f"{name} = {shown(value)}: must be a finite number")
         for name in ("travel_rate", "elevation_rate", "slew"):
             value = getattr(self, name)
             if value is not None and not value > 0.0:

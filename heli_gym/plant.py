@@ -11,7 +11,7 @@ import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
-from numbers import Integral
+from numbers import Integral, Real
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -21,6 +21,7 @@ from heli_gym.parameters import NO_COUPLING, Coupling, HelicopterParameters
 from heli_gym.rig import Rig, find_rig
 from heli_gym.rigid_body import VARIANTS, RigidBodyParameters, solve_rigid_body
 from heli_gym.thrust_map import EXPONENTS, PowerCurve, TableCurve, ThrustCurve, ThrustMap
+from heli_gym.validation import is_number, shown
 
 AXES = ("travel", "elevation", "pitch")
 ROTORS = ("front", "back")
@@ -32,9 +33,14 @@ COULOMB_RATE = 0.02  # rad/s, over which Coulomb friction changes sign: smooth, 
 LARGEST_VISCOUS = 1000.0  # 1/s, stability limit of the integrator's shortest steps
 LARGEST_COULOMB = LARGEST_VISCOUS * COULOMB_RATE  # rad/s², likewise
 LARGEST_ACCELERATION = 1000.0  # rad/s²
+LARGEST_GAIN = 100.0  # of the thrust, of all drifts together
+MOST_DISTURBANCES = 100
+MOST_ALTERNATIVES = 1000
+LEAST_LIFT = 1e-3  # rad/s² per N, of |b2| where it converts accelerations to forces
 LARGEST_DELAY = 0.5  # s
 LARGEST = 1e4  # of coefficients, masses and lengths, in SI units
-PLAIN_FRICTION = 5.0  # 1/s, largest friction for which one Runge-Kutta step of (3) per control period is enough
+STIFFEST = 5000.0  # 1/s, largest rate of an axis; the integrator then takes steps of 0.1 ms
+PLAIN_FRICTION = 5.0  # 1/s, largest rate of an axis for which one Runge-Kutta step of (3) per period is enough
 
 # Contact with the table: each of two feet is a spring and a damper. Frequency and damping are those of the helicopter
 # bouncing on both feet, as stiff as steps of 10 ms allow.
@@ -55,30 +61,23 @@ class Uniform:
     high: float
 
     def __post_init__(self) -> None:
-        if not (is_finite(self.low) and is_finite(self.high) and self.low <= self.high):
-            raise ValueError(f"{self}: must be finite numbers with low <= high")
+        if not (is_number(self.low) and is_number(self.high) and self.low <= self.high):
+            raise ValueError(f"{shown(self)}: must be finite numbers with low <= high")
 
 
 Number: TypeAlias = Any  # a float, or a Uniform to draw one from
-
-
-def is_finite(value: Any) -> bool:
-    """Whether the value is a number with a finite float."""
-    try:
-        return not isinstance(value, str) and math.isfinite(value)
-    except (TypeError, ValueError, OverflowError):
-        return False
 
 
 def check_number(name: str, value: Number, low: float, high: float) -> None:
     """Raise ValueError unless the number, or its whole range, is within [low, high]."""
     bounds = (value.low, value.high) if isinstance(value, Uniform) else (value, value)
     try:
-        allowed = not isinstance(value, str) and low <= float(bounds[0]) and float(bounds[1]) <= high
-    except (TypeError, ValueError, OverflowError):
+        allowed = all(isinstance(end, Real) and not isinstance(end, bool) for end in bounds)
+        allowed = allowed and low <= float(bounds[0]) and float(bounds[1]) <= high
+    except OverflowError:
         allowed = False
     if not allowed:
-        raise ValueError(f"{name} = {value!r}: must be a number, at least {low:g} and at most {high:g}")
+        raise ValueError(f"{name} = {shown(value)}: must be a number, at least {low:g} and at most {high:g}")
 
 
 def check_magnitude(name: str, value: Number, largest: float) -> None:
@@ -94,20 +93,20 @@ def magnitude(value: Number) -> Any:
 def check_choice(name: str, value: Any, choices: tuple[str, ...]) -> None:
     """Raise ValueError unless the value is one of the choices."""
     if not isinstance(value, str) or value not in choices:
-        raise ValueError(f"{name} = {value!r}: must be one of {', '.join(map(repr, choices))}")
+        raise ValueError(f"{name} = {shown(value)}: must be one of {', '.join(map(repr, choices))}")
 
 
 def check_tuple(name: str, value: Any, labels: Sequence[str]) -> None:
     """Raise ValueError unless the value is a tuple with one item for each label."""
     if not isinstance(value, tuple) or len(value) != len(labels):
-        raise ValueError(f"{name} = {value!r}: must be one value each for {', '.join(labels)}")
+        raise ValueError(f"{name} = {shown(value)}: must be one value each for {', '.join(labels)}")
 
 
 def check_type(name: str, value: Any, kinds: Any, what: str) -> None:
     """Raise ValueError unless the value, or each option of a OneOf, is an instance of one of the kinds."""
     for option in value.options if isinstance(value, OneOf) else (value,):
         if not isinstance(option, kinds):
-            raise ValueError(f"{name} = {option!r}: must be {what}")
+            raise ValueError(f"{name} = {shown(option)}: must be {what}")
 
 
 @dataclass(frozen=True)
@@ -118,7 +117,7 @@ class OneOf:
 
     def __post_init__(self) -> None:
         if not isinstance(self.options, tuple) or not self.options:
-            raise ValueError(f"options = {self.options!r}: must be a tuple of at least one alternative")
+            raise ValueError(f"options = {shown(self.options)}: must be a tuple of at least one alternative")
 
 
 def alternatives(value: Any) -> list:
@@ -126,6 +125,13 @@ def alternatives(value: Any) -> list:
     if isinstance(value, OneOf):
         return [alternative for option in value.options for alternative in alternatives(option)]
     return [with_parts(value, parts) for parts in itertools.product(*map(alternatives, parts_of(value)))]
+
+
+def count_alternatives(value: Any) -> int:
+    """Number of combinations of the options nested in a value."""
+    if isinstance(value, OneOf):
+        return sum(map(count_alternatives, value.options))
+    return math.prod(map(count_alternatives, parts_of(value)))
 
 
 def count_ranges(value: Any) -> int:
@@ -223,8 +229,8 @@ class Sensors:
 
     def __post_init__(self) -> None:
         check_tuple("counts", self.counts, AXES)
-        if not all(isinstance(n, Integral) and 1 <= n <= 2**31 for n in self.counts):
-            raise ValueError(f"counts = {self.counts}: must be a positive whole number each for {', '.join(AXES)}")
+        if not all(isinstance(n, Integral) and not isinstance(n, bool) and 1 <= n <= 2**31 for n in self.counts):
+            raise ValueError(f"counts = {shown(self.counts)}: must be a positive whole number for each axis")
         check_number("noise", self.noise, 0.0, 1.0)
         check_number("rate_filter", self.rate_filter, 1e-3, math.inf)
         check_tuple("zeros", self.zeros, AXES)
@@ -356,6 +362,8 @@ class Plant:
 
     def __post_init__(self) -> None:
         check_type("parameters", self.parameters, HelicopterParameters, "HelicopterParameters")
+        if count_alternatives(self) > MOST_ALTERNATIVES:
+            raise ValueError(f"options: {count_alternatives(self)} combinations; must be at most {MOST_ALTERNATIVES}")
         for parameters in alternatives(self.parameters):
             for name, value in parameters._asdict().items():
                 check_magnitude(f"parameters.{name}", value, LARGEST)
@@ -370,9 +378,10 @@ class Plant:
         check_type("friction", self.friction, Friction, "Friction")
         check_type("sensors", self.sensors, Sensors | None, "Sensors or None")
         if not isinstance(self.disturbances, tuple):
-            raise ValueError(f"disturbances = {self.disturbances!r}: must be a tuple of disturbances")
+            raise ValueError(f"disturbances = {shown(self.disturbances)}: must be a tuple of disturbances")
         for value in self.disturbances:
             check_type("disturbances", value, Disturbance, "Push, Gust, MovingMass, RotorFault or ThrustDrift")
+        self._check_disturbances()
         check_magnitude("travel_lift", self.travel_lift, 10.0)
         check_type("table", self.table, Table | None, "Table or None")
         check_type("coupling", self.coupling, Coupling, "Coupling")
@@ -383,7 +392,24 @@ class Plant:
             raise ValueError(
                 f"coupling = {self.coupling}: must be left out with a rigid body, which has its own moments"
             )
+        for p in alternatives(self.parameters) if self.table is not None else ():
+            if least_magnitude(p.b2) < LEAST_LIFT:
+                raise ValueError(f"parameters.b2 = {p.b2!r}: must be at least {LEAST_LIFT:g} in magnitude with a table")
         self._check_thrust_map()
+        if self.stiffness > STIFFEST:
+            raise ValueError(
+                f"parameters, friction, table: must give no axis a rate of more than {STIFFEST:g} 1/s, "
+                f"but give {self.stiffness:.3g} 1/s"
+            )
+
+    def _check_disturbances(self) -> None:
+        if len(self.disturbances) > MOST_DISTURBANCES:
+            raise ValueError(f"disturbances: {len(self.disturbances)} of them; must be at most {MOST_DISTURBANCES}")
+        gain = 1.0
+        for value in self.disturbances:
+            gain *= max(1.0 - lowest(d.loss) if isinstance(d, ThrustDrift) else 1.0 for d in alternatives(value))
+        if gain > LARGEST_GAIN:
+            raise ValueError(f"disturbances: drifts multiply the thrust by {gain:g}; must be at most {LARGEST_GAIN:g}")
 
     def _check_thrust_map(self) -> None:
         kinds = ThrustMap | PowerCurve | TableCurve | None
@@ -407,8 +433,22 @@ class Plant:
             for p in alternatives(self.parameters):
                 high = p.b2.high if isinstance(p.b2, Uniform) else p.b2
                 low = p.a2.low if isinstance(p.a2, Uniform) else p.a2
-                if not (high < 0.0 < low):
-                    raise ValueError(f"hover_voltage = {self.hover_voltage}: must be None unless a2 > 0 > b2")
+                if not (high <= -LEAST_LIFT and low > 0.0):
+                    raise ValueError(
+                        f"hover_voltage = {self.hover_voltage}: must be None unless a2 > 0 and b2 <= -{LEAST_LIFT:g}"
+                    )
+                self._check_hover(p)
+
+    def _check_hover(self, p: HelicopterParameters) -> None:
+        """Raise ValueError if the hover voltage gives a rotor no thrust in some draw, or next to none."""
+        for thrust_map in alternatives(self.thrust_map):
+            for curve in rotor_curves(thrust_map) if thrust_map is not None else (PowerCurve(p.k_plus),):
+                beyond = max(lowest(self.hover_voltage) - highest(curve.dead_zone), 0.0)
+                least = lowest(curve.k_plus) * min(beyond ** lowest(curve.exponent), beyond ** highest(curve.exponent))
+                if not least * LARGEST >= highest(p.a2) / least_magnitude(p.b2):
+                    raise ValueError(
+                        f"hover_voltage = {self.hover_voltage}: must give both rotors thrust in every draw"
+                    )
 
     def __deepcopy__(self, memo: dict) -> "Plant":
         """The plant itself, since it is immutable; Stable-Baselines3 deep-copies every info that may hold it."""
@@ -448,12 +488,9 @@ class Plant:
 
     @cached_property
     def stiffness(self) -> float:
-        """Largest rate in 1/s at which friction damps an axis in any draw."""
-        return max(
-            magnitude(viscous) + magnitude(coulomb) / COULOMB_RATE + magnitude(own)
-            for p in self.alternatives
-            for viscous, coulomb, own in zip(p.friction.viscous, p.friction.coulomb, p.parameters[-3:])
-        )
+        """Largest rate in 1/s of an axis in any draw: of its friction, its pendulum or its contact with the table."""
+        parts = map(alternatives, (self.parameters, self.friction, self.table))
+        return max(rate for combination in itertools.product(*parts) for rate in axis_rates(*combination))
 
     @cached_property
     def is_plain(self) -> bool:
@@ -466,6 +503,36 @@ class Plant:
         """Whether the plant has effects beyond rotors, friction and disturbances, which only the general loops have."""
         own = {name: getattr(self, name) for name in ("parameters", "rig", "rotors", "friction", "sensors")}
         return self != Plant(**own, disturbances=self.disturbances)
+
+
+def lowest(value: Number) -> Any:
+    """A number, or the lower end of its range."""
+    return value.low if isinstance(value, Uniform) else value
+
+
+def highest(value: Number) -> Any:
+    """A number, or the upper end of its range."""
+    return value.high if isinstance(value, Uniform) else value
+
+
+def least_magnitude(value: Number) -> Any:
+    """Smallest absolute value of a number or of its range."""
+    return max(lowest(value), -highest(value), 0.0)
+
+
+def axis_rates(own: HelicopterParameters, friction: Friction, table: Table | None) -> list[float]:
+    """Rates in 1/s: damping of each axis, and frequencies of pendulum and contact."""
+    rates = [
+        magnitude(viscous) + magnitude(coulomb) / COULOMB_RATE + magnitude(linear)
+        for viscous, coulomb, linear in zip(friction.viscous, friction.coulomb, own[-3:])
+    ]
+    rates += [math.sqrt(magnitude(own.a1) + magnitude(own.a2)), math.sqrt(magnitude(own.a3))]
+    if table is not None:
+        lift = least_magnitude(own.b2)
+        weight = (magnitude(own.a1) + magnitude(own.a2)) / lift  # N
+        rates.append(CONTACT_FREQUENCY * math.sqrt(FOOT_SPREAD * magnitude(own.b3) / lift))
+        rates.append(magnitude(own.b1) * highest(table.friction) * weight / COULOMB_RATE)
+    return rates
 
 
 def rotor_curves(thrust_map: ThrustMap | ThrustCurve | None) -> tuple:
@@ -637,5 +704,5 @@ def find_plant(plant: str | Plant) -> Plant:
     if isinstance(plant, Plant):
         return plant
     if not isinstance(plant, str) or plant not in PLANTS:
-        raise ValueError(f"plant = {plant!r}: must be a Plant or one of {', '.join(map(repr, PLANTS))}")
+        raise ValueError(f"plant = {shown(plant)}: must be a Plant or one of {', '.join(map(repr, PLANTS))}")
     return PLANTS[plant]

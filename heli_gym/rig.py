@@ -7,7 +7,6 @@ them. `docs/rigs.md` describes both. Packaged rigs are in the folder `rigs`.
 import math
 import os
 import re
-import tomllib
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -19,13 +18,15 @@ from heli_gym import model
 from heli_gym.model import hover_input
 from heli_gym.parameters import NO_COUPLING, Coupling, HelicopterParameters, Limits
 from heli_gym.rigid_body import RigidBodyParameters, solve_rigid_body
-from heli_gym.storage import atomic_write
-from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustCurve, ThrustMap, is_number, require
+from heli_gym.storage import atomic_write, parse_toml
+from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustCurve, ThrustMap
+from heli_gym.validation import as_path, is_number, require, shown
 
 RIGS = Path(__file__).parent / "rigs"
 TABLE_I = HelicopterParameters()
 GRAVITY = 9.81  # m/s²
 COEFFICIENTS = ("a1", "a2", "a3", "b1", "b2", "b3", "c1", "c2", "c3")
+LEAST_COEFFICIENT, LARGEST_COEFFICIENT = 1e-6, 1e4  # of (3), in SI units
 RESERVE = 1.0 / 12.0  # share of the amplifier's range unused by plans at each end, as in (9) for 0 to 12 V
 PITCH_SHARE = 5.0 / 8.0  # share of the pitch limit used by plans, as in (9) for 80 degrees
 
@@ -135,10 +136,10 @@ class Rig:
     def __post_init__(self) -> None:
         for name in ("name", "source"):
             if not isinstance(getattr(self, name), str):
-                raise ValueError(f"{name} = {getattr(self, name)!r}: must be text")
+                raise ValueError(f"{name} = {shown(getattr(self, name))}: must be text")
         p = self.parameters
         if not isinstance(p, HelicopterParameters):
-            raise ValueError(f"parameters = {p!r}: must be HelicopterParameters")
+            raise ValueError(f"parameters = {shown(p)}: must be HelicopterParameters")
         if self.thrust_map is None:
             curve = PowerCurve(p.k_plus, p.k_minus)
             self._set("thrust_map", ThrustMap(curve, curve))
@@ -149,12 +150,15 @@ class Rig:
         self._set("parameters", p._replace(k_plus=float(k_plus), k_minus=float(k_minus)))
         for name in COEFFICIENTS:
             value = getattr(p, name)
+            within = is_number(value) and abs(value) <= LARGEST_COEFFICIENT
+            most = f", at most {LARGEST_COEFFICIENT:g} in magnitude" if is_number(value) else ""
             if name.startswith("b"):
-                require(f"parameters.{name}", value, value != 0.0, "a number other than 0")
+                within = within and abs(value) >= LEAST_COEFFICIENT
+                require(f"parameters.{name}", value, within, f"a number other than 0{most}")
             elif name.startswith("c"):
-                require(f"parameters.{name}", value, is_number(value) and value >= 0.0, "a number, at least 0")
+                require(f"parameters.{name}", value, within and value >= 0.0, f"a number, at least 0{most}")
             else:
-                require(f"parameters.{name}", value, True, "a number")
+                require(f"parameters.{name}", value, within, f"a number{most}")
         if self.mass_data is not None:
             if not isinstance(self.mass_data, Masses):
                 raise ValueError(f"mass_data = {self.mass_data!r}: must be Masses or None")
@@ -171,7 +175,7 @@ class Rig:
     def _triple(self, name: str, what: str, allowed: Any = lambda value: True, kind: type = float) -> None:
         values = getattr(self, name)
         if not isinstance(values, tuple | list) or len(values) != 3:
-            raise ValueError(f"{name} = {values!r}: must be {what}, of travel, elevation and pitch")
+            raise ValueError(f"{name} = {shown(values)}: must be {what}, of travel, elevation and pitch")
         for value in values:
             require(name, value, is_number(value) and allowed(value), f"{what}, of travel, elevation and pitch")
         self._set(name, tuple(kind(value) for value in values))
@@ -188,7 +192,7 @@ class Rig:
     def _check_actuator(self) -> None:
         limits = self.voltage_limits
         if not isinstance(limits, tuple | list) or len(limits) != 2 or not all(map(is_number, limits)):
-            raise ValueError(f"voltage_limits = {limits!r}: must be two finite numbers (min, max) in V")
+            raise ValueError(f"voltage_limits = {shown(limits)}: must be two finite numbers (min, max) in V")
         low, high = (float(value) for value in limits)
         if not (-1000.0 <= low < high <= 1000.0):
             raise ValueError(f"voltage_limits = {limits!r}: must be (min, max) in V with -1000 <= min < max <= 1000")
@@ -312,7 +316,7 @@ class Rig:
 
         Raises OSError if the file cannot be read, ValueError with the line if a key is missing, unknown or invalid.
         """
-        data = Path(path).read_bytes()
+        data = as_path("path", path).read_bytes()
         try:
             return cls.from_toml(data.decode())
         except ValueError as error:
@@ -414,7 +418,7 @@ def rig_of(parameters: HelicopterParameters, limits: Limits = Limits()) -> Rig:
     Its amplifiers and pitch stop are wide enough for the limits.
     """
     if not isinstance(parameters, HelicopterParameters):
-        raise ValueError(f"parameters = {parameters!r}: must be HelicopterParameters")
+        raise ValueError(f"parameters = {shown(parameters)}: must be HelicopterParameters")
     if parameters == PAPER.parameters and limits == PAPER.limits:
         return PAPER
     low, high = PAPER.voltage_limits
@@ -449,7 +453,7 @@ def find_rig(rig: "str | os.PathLike | Rig") -> Rig:
     if isinstance(rig, Rig):
         return rig
     if not isinstance(rig, str | os.PathLike):
-        raise ValueError(f"rig = {rig!r}: must be a Rig, a name or the path of a .toml file")
+        raise ValueError(f"rig = {shown(rig)}: must be a Rig, a name or the path of a .toml file")
     is_path = str(rig).endswith(".toml")
     if not is_path and str(rig) not in [*rig_names(), *fleet_rig_names()]:
         names = ", ".join(map(repr, [*rig_names(), *fleet_rig_names()]))
@@ -476,8 +480,8 @@ class _RigFile:
     def __init__(self, text: str) -> None:
         self.lines = text.splitlines()
         try:
-            self.data = tomllib.loads(text)
-        except tomllib.TOMLDecodeError as error:  # its message has the line
+            self.data = parse_toml(text)
+        except ValueError as error:  # its message has the line
             raise ValueError(f"no TOML: {error}") from error
 
     def line(self, key: str, table: str = "") -> int:

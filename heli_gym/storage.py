@@ -1,12 +1,18 @@
-"""Atomic writes of files, and locks for files that are read, changed and written back."""
+"""Atomic writes of files, locks for files that are read, changed and written back, and readers of untrusted files."""
 
+import json
+import math
 import os
 import secrets
 import tempfile
+import tomllib
+import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
+
+import numpy as np
 
 try:
     import fcntl
@@ -116,3 +122,78 @@ def check_folder(name: str, path: str | os.PathLike) -> None:
             os.fsync(probe.fileno())
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from error
+
+
+MOST_BYTES = 2**28  # of all arrays in an .npz file
+
+
+def parse_json(text: str | bytes) -> Any:
+    """Parse JSON. Raises ValueError for anything else, also for text nested too deeply."""
+    try:
+        return json.loads(text)
+    except RecursionError:
+        raise ValueError("its JSON is nested too deeply") from None
+
+
+def parse_toml(text: str) -> dict[str, Any]:
+    """Parse TOML. Raises ValueError for anything else, also for text nested too deeply."""
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise ValueError("its TOML is nested too deeply") from None
+
+
+def read_json_object(path: str | os.PathLike) -> dict[str, Any]:
+    """Read a JSON object. Raises ValueError that names the file for any other content, OSError if it cannot be read."""
+    data = Path(path).read_bytes()
+    try:
+        value = parse_json(data)
+    except ValueError as error:
+        raise ValueError(f"{path}: must be JSON: {error}") from error
+    if not isinstance(value, dict):
+        raise ValueError(f"{path}: must be a JSON object")
+    return value
+
+
+def read_arrays(path: str | os.PathLike) -> dict[str, np.ndarray]:
+    """Read the arrays of an .npz file by name, without unpickling and without more memory than the file announces.
+
+    Raises ValueError for a damaged file, or arrays of more than MOST_BYTES together; OSError if it cannot be opened.
+    """
+    arrays: dict[str, np.ndarray] = {}
+    with open(path, "rb") as file:
+        try:
+            with zipfile.ZipFile(file) as archive:
+                members = archive.infolist()
+                if sum(member.file_size for member in members) > MOST_BYTES:
+                    raise ValueError(f"its arrays take more than {MOST_BYTES >> 20} MB")
+                for member in members:
+                    with archive.open(member) as content:
+                        arrays[member.filename.removesuffix(".npy")] = read_array(content, member.file_size)
+        except ValueError:
+            raise
+        except Exception as error:  # zipfile, zlib and numpy raise many types for damaged files
+            raise ValueError(str(error) or type(error).__name__) from error
+    return arrays
+
+
+def read_array(content: Any, size: int) -> np.ndarray:
+    """Read one array in numpy's format, of at most `size` bytes."""
+    version = np.lib.format.read_magic(content)
+    read_header = {
+        (1, 0): np.lib.format.read_array_header_1_0,
+        (2, 0): np.lib.format.read_array_header_2_0,
+    }.get(version)
+    if read_header is None:
+        raise ValueError(f"version {version} of numpy's format is unknown")
+    shape, is_fortran, dtype = read_header(content)
+    if dtype.hasobject:
+        raise ValueError("an array of objects is not read")
+    count = math.prod(shape)
+    if not 0 <= count * dtype.itemsize <= size:
+        raise ValueError(f"an array {shape} does not fit into {size} bytes")
+    data = content.read(count * dtype.itemsize)
+    if len(data) < count * dtype.itemsize:
+        raise ValueError("an array is not whole")
+    array = np.frombuffer(data, dtype, count)
+    return array.reshape(shape, order="F" if is_fortran else "C").copy()

@@ -4,7 +4,6 @@ Each curve has `thrust`, its exact inverse `voltage`, and `slope`, all for array
 law itself is `heli_gym.model.power_thrust`, shared with the compiled kernels.
 """
 
-import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple, TypeAlias
@@ -13,8 +12,11 @@ import numpy as np
 
 from heli_gym.model import power_thrust
 from heli_gym.parameters import Scalar
+from heli_gym.validation import is_number, require, shown
 
 EXPONENTS = (0.5, 2.0)  # identified rigs have 0.94 to 1.74; (2) has 2, a linear map 1
+# Bounds of measured curves, beyond any laboratory rig.
+MOST_VOLTS, MOST_NEWTONS, MOST_POINTS, LEAST_STEP = 1000.0, 1e4, 10_000, 1e-3
 ITERATIONS = 80  # at most, of bisection when a cubic is inverted; Newton's method takes about six
 
 
@@ -77,6 +79,11 @@ class TableCurve:
     voltages: tuple[float, ...]
     thrusts: tuple[float, ...]
 
+    def __post_init__(self) -> None:
+        for name in ("voltages", "thrusts"):
+            values = getattr(self, name)
+            object.__setattr__(self, name, tuple(values) if isinstance(values, list | np.ndarray) else values)
+
     @cached_property
     def cubics(self) -> Any:
         """Interpolator between the ends of the curve."""
@@ -133,17 +140,23 @@ class TableCurve:
 
     def check(self, name: str) -> None:
         """Raise ValueError unless the points give a rising curve."""
-        for field in ("voltages", "thrusts"):
+        for field, most in (("voltages", MOST_VOLTS), ("thrusts", MOST_NEWTONS)):
             values = getattr(self, field)
-            if len(values) != len(self.voltages) or len(values) < 2:
-                raise ValueError(f"{name}.{field} = {values!r}: must be as many numbers as voltages, at least 2")
+            if not isinstance(values, tuple) or not 2 <= len(values) <= MOST_POINTS:
+                raise ValueError(
+                    f"{name}.{field} = {shown(values)}: must be as many numbers as voltages, 2 to {MOST_POINTS}"
+                )
             for value in values:
-                require(f"{name}.{field}", value, True, "finite numbers")
-        u, f = np.array(self.voltages), np.array(self.thrusts)
-        if not (np.diff(u) > 0.0).all():
-            raise ValueError(f"{name}.voltages = {self.voltages!r}: must rise from each point to the next")
+                require(f"{name}.{field}", value, is_number(value) and abs(value) <= most, f"within +-{most:g}")
+        u, f = np.array(self.voltages, float), np.array(self.thrusts, float)
+        if u.shape != f.shape:
+            raise ValueError(f"{name}.thrusts = {shown(self.thrusts)}: must be as many numbers as voltages, {len(u)}")
+        if not (np.diff(u) >= LEAST_STEP).all():
+            raise ValueError(
+                f"{name}.voltages = {shown(self.voltages)}: must rise by at least {LEAST_STEP:g} V from point to point"
+            )
         if not ((np.diff(f) >= 0.0).all() and min(self.end_slopes) > 0.0):
-            raise ValueError(f"{name}.thrusts = {self.thrusts!r}: must not fall, and must rise at both ends")
+            raise ValueError(f"{name}.thrusts = {shown(self.thrusts)}: must not fall, and must rise at both ends")
 
 
 ThrustCurve: TypeAlias = PowerCurve | TableCurve
@@ -169,14 +182,3 @@ class ThrustMap:
             if not isinstance(curve, PowerCurve | TableCurve):
                 raise ValueError(f"{name}.{rotor} = {curve!r}: must be a PowerCurve or a TableCurve")
             curve.check(f"{name}.{rotor}")
-
-
-def is_number(value: Any) -> bool:
-    """Whether the value is a finite number."""
-    return isinstance(value, int | float | np.number) and not isinstance(value, bool) and math.isfinite(value)
-
-
-def require(name: str, value: Any, allowed: bool, what: str) -> None:
-    """Raise ValueError unless the value is a finite number and allowed."""
-    if not is_number(value) or not allowed:
-        raise ValueError(f"{name} = {value!r}: must be {what}{'' if is_number(value) else ', and finite'}")

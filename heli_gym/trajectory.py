@@ -4,7 +4,6 @@ import functools
 import math
 import os
 from dataclasses import dataclass, field
-from numbers import Real
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -14,7 +13,8 @@ from heli_gym.model import hover_input
 from heli_gym.notebook import plot_trajectory
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.rig import PAPER, UNNAMED, Rig, check_same_rig, find_rig, rig_of
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, read_arrays
+from heli_gym.validation import as_path, is_number, real_array, shown
 
 LARGEST_GAP = 1e-9  # rad and rad/s, between the end of a trajectory and the start of the next
 
@@ -63,9 +63,11 @@ class Maneuver:
         for end in ("start", "goal"):
             state = getattr(self, f"{end}_state")
             if state is not None:
-                x = np.asarray(state, dtype=float)
-                if x.shape != (6,) or not np.isfinite(x).all() or not abs(x[4]) < math.pi / 2:
-                    raise ValueError(f"{end}_state = {state!r}: must be a finite state (6,) with a pitch below 90 deg")
+                x = real_array(state)
+                if x is None or x.shape != (6,) or not np.isfinite(x).all() or not abs(x[4]) < math.pi / 2:
+                    raise ValueError(
+                        f"{end}_state = {shown(state)}: must be a finite state (6,) with a pitch below 90 deg"
+                    )
                 object.__setattr__(self, f"{end}_state", tuple(x.tolist()))
                 object.__setattr__(self, end, (float(x[0]), float(x[2])))
         if isinstance(self.goal, tuple | list) and len(self.goal) == 2 and self.goal[1] is None:
@@ -74,7 +76,7 @@ class Maneuver:
         if self.floor is not None:
             object.__setattr__(self, "floor", validate_floor(self.floor))
         if not isinstance(self.limits, Limits | None):
-            raise ValueError(f"limits = {self.limits!r}: must be a Limits")
+            raise ValueError(f"limits = {shown(self.limits)}: must be a Limits")
         rig = None if self.rig is None else find_rig(self.rig)
         if rig is None or self.parameters not in (None, rig.parameters):
             if rig is not None and rig.name not in (PAPER.name, UNNAMED):
@@ -94,13 +96,13 @@ class Maneuver:
                 f"limits = {self.limits}: must be within the pitch limit of the rig {rig.name!r}, "
                 f"{math.degrees(rig.pitch_limit):g} deg"
             )
-        if not (isinstance(self.duration, Real) and math.isfinite(self.duration) and self.duration > 0.0):
-            raise ValueError(f"duration = {self.duration!r}: must be a positive, finite number of seconds")
+        if not (is_number(self.duration) and self.duration > 0.0):
+            raise ValueError(f"duration = {shown(self.duration)}: must be a positive, finite number of seconds")
         low, high = rig.thrust_bounds(self.limits.u)
         for name in ("start", "goal"):
-            point = np.asarray(getattr(self, name))
-            if point.dtype.kind not in "iuf" or point.shape != (2,) or not np.isfinite(point).all():
-                raise ValueError(f"{name} = {getattr(self, name)!r}: must be finite (travel, elevation) in rad")
+            point = real_array(getattr(self, name))
+            if point is None or point.shape != (2,) or not np.isfinite(point).all():
+                raise ValueError(f"{name} = {shown(getattr(self, name))}: must be finite (travel, elevation) in rad")
             object.__setattr__(self, name, (float(point[0]), float(point[1])))
             elevation = float(point[1])
             thrust_sum = hover_thrust_sum(elevation, self.parameters)
@@ -151,24 +153,27 @@ def hover_thrust_sum(elevation: float, parameters: HelicopterParameters) -> floa
 def validate_floor(floor: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return the floor as tuples of floats. Raises ValueError unless its travel increases."""
     try:
-        travel, elevation = (np.asarray(row, dtype=float) for row in floor)
-        fits = travel.ndim == 1 and travel.shape == elevation.shape and len(travel) > 1
-        fits = fits and bool(np.isfinite([travel, elevation]).all() and (np.diff(travel) > 0.0).all())
+        travel, elevation = map(real_array, floor)
     except (TypeError, ValueError):
-        fits = False
-    if not fits:
-        raise ValueError(f"floor = {floor!r}: must be (travel, elevation), finite (N,) each, in rad, travel increasing")
+        travel = elevation = None
+    fits = travel is not None and elevation is not None and travel.ndim == 1 and travel.shape == elevation.shape
+    if not fits or not (len(travel) > 1 and np.isfinite([travel, elevation]).all() and (np.diff(travel) > 0.0).all()):
+        raise ValueError(
+            f"floor = {shown(floor)}: must be (travel, elevation), finite (N,) each, in rad, travel increasing"
+        )
     return tuple(travel.tolist()), tuple(elevation.tolist())
 
 
 def validate_via(via: Any, duration: float) -> tuple[tuple[float | None, float, float | None], ...]:
     """Return via points as tuples of floats. Raises ValueError unless they are in order and within the duration."""
     points, last = [], 0.0
+    if not isinstance(via, tuple | list):
+        raise ValueError(f"via = {shown(via)}: must be a tuple of points")
     for k, point in enumerate(via):
-        said = f"via[{k}] = {point!r}: must be (time, travel, elevation) in s and rad, "
+        said = f"via[{k}] = {shown(point)}: must be (time, travel, elevation) in s and rad, "
         if not isinstance(point, tuple | list) or len(point) != 3:
             raise ValueError(said + "time or elevation None if free")
-        if not all(value is None or (isinstance(value, Real) and math.isfinite(value)) for value in point):
+        if not all(value is None or is_number(value) for value in point):
             raise ValueError(said + "finite, time or elevation None if free")
         time, travel, elevation = (None if value is None else float(value) for value in point)
         if travel is None or (time is None and elevation is None):
@@ -206,9 +211,13 @@ class Trajectory:
 
     def __post_init__(self) -> None:
         if not isinstance(self.rig, Rig):
-            raise ValueError(f"rig = {self.rig!r}: must be a Rig")
+            raise ValueError(f"rig = {shown(self.rig)}: must be a Rig")
+        if not isinstance(self.limits, Limits):
+            raise ValueError(f"limits = {shown(self.limits)}: must be Limits")
         for name in ("t", "x", "u"):
-            value = np.array(getattr(self, name), dtype=float)
+            value = real_array(getattr(self, name))
+            if value is None:
+                raise ValueError(f"{name} = {shown(getattr(self, name))}: must be an array of real numbers")
             value.setflags(write=False)
             object.__setattr__(self, name, value)
         n = len(self.t) if self.t.ndim == 1 else 0
@@ -244,7 +253,10 @@ class Trajectory:
         Angles are cubic Hermite interpolants of angles and rates, and rates their derivatives, so that both stay
         consistent. Voltages are linear, so that they meet their limits between the samples.
         """
-        times = np.clip(np.asarray(t, dtype=float), 0.0, self.duration)
+        given = real_array(t)
+        if given is None:
+            raise ValueError(f"t = {shown(t)}: must be times in s")
+        times = np.clip(given, 0.0, self.duration)
         k = np.clip(np.searchsorted(self.t, times, side="right") - 1, 0, len(self.t) - 2)
         h = self.t[k + 1] - self.t[k]
         s = (times - self.t[k]) / h
@@ -273,16 +285,16 @@ class Trajectory:
         Raises ValueError if the file holds no trajectory, or if it is for another rig than the given one, with the
         differences.
         """
+        path = as_path("path", path)
         try:
-            # opened here, so that it is closed even if its content is invalid
-            with open(path, "rb") as file, np.load(file, allow_pickle=False) as data:
-                values: list[Any] = [None if math.isnan(limit) else float(limit) for limit in data["limits"]]
-                limits = Limits(*values)
-                own = Rig.from_toml(str(data["rig"])) if "rig" in data else PAPER
-                trajectory = cls(data["t"], data["x"], data["u"], limits, own)
-        except OSError:
-            raise
-        except Exception as error:
+            data = read_arrays(path)
+            values: list[Any] = [None if math.isnan(limit) else float(limit) for limit in data["limits"]]
+            limits = Limits(*values)
+            own = Rig.from_toml(str(data["rig"])) if "rig" in data else PAPER
+            trajectory = cls(data["t"], data["x"], data["u"], limits, own)
+        except KeyError as error:
+            raise ValueError(f"path = {str(path)!r} holds no trajectory: it lacks {error}") from error
+        except (TypeError, ValueError) as error:
             raise ValueError(f"path = {str(path)!r} holds no trajectory: {error}") from error
         if rig is not None:
             check_same_rig(f"path = {str(path)!r}", own, find_rig(rig), "the one that it is loaded for")

@@ -18,7 +18,6 @@ from heli_gym.env import (
     checked_options,
     find_reference,
     is_packaged,
-    real_array,
     render_state,
     seeded,
     undone_on_error,
@@ -32,6 +31,7 @@ from heli_gym.simulation.kernels import NOT_FINITE
 from heli_gym.simulation.layout import COMMAND, COST, MEASURED, REWARD, SUCCEEDED, TERMINATED, TIME, TRUNCATED, X
 from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
+from heli_gym.validation import real_array, shown
 
 MOST_ENVS = 2**20  # helicopters, in 1 GB of memory
 MOST_STEPS = 2**31  # of an episode
@@ -83,13 +83,13 @@ class Heli3DOFVectorEnv(VectorEnv):
             None if max_episode_steps is None else _count("max_episode_steps", max_episode_steps, MOST_STEPS)
         )
         if dtype not in ("float64", "float32"):
-            raise ValueError(f"dtype = {dtype!r}: must be 'float64' or 'float32'")
+            raise ValueError(f"dtype = {shown(dtype)}: must be 'float64' or 'float32'")
         if render_mode not in (None, *self.metadata["render_modes"]):
-            raise ValueError(f"render_mode = {render_mode!r}: must be None or 'rgb_array'")
+            raise ValueError(f"render_mode = {shown(render_mode)}: must be None or 'rgb_array'")
         self.num_envs, self.render_mode, self.dtype = num_envs, render_mode, np.dtype(dtype).type
         modes = [mode.value for mode in AutoresetMode]
         if not isinstance(autoreset_mode, AutoresetMode) and autoreset_mode not in modes:
-            raise ValueError(f"autoreset_mode = {autoreset_mode!r}: must be one of {modes}")
+            raise ValueError(f"autoreset_mode = {shown(autoreset_mode)}: must be one of {modes}")
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         plants = broadcast_to_envs("plant", plant, num_envs, find_plant)
         references = broadcast_to_envs("reference", reference, num_envs, find_reference)
@@ -157,7 +157,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         chosen = helicopters.tolist()
         times = known["time"] if known["time"] is None else real_array(known["time"])
         if known["time"] is not None and (times is None or not self._are_finite(times, (self.num_envs,))):
-            raise ValueError(f"options['time'] = {known['time']!r}: must be finite times ({self.num_envs},) in s")
+            raise ValueError(f"options['time'] = {shown(known['time'])}: must be finite times ({self.num_envs},) in s")
 
         fresh = self._seeded(seed, chosen)
         generators = [fresh[i][0] if i in fresh else self.generators[i] for i in chosen]
@@ -196,7 +196,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         """Mask (N,) of the helicopters that a reset selects."""
         if mask is None:
             return self.all
-        must = f"options['reset_mask'] = {mask!r}: must be a boolean array ({self.num_envs},), at least one true"
+        must = f"options['reset_mask'] = {shown(mask)}: must be a boolean array ({self.num_envs},), at least one true"
         if not isinstance(mask, np.ndarray) or mask.dtype != bool:
             raise TypeError(must)
         if mask.shape != (self.num_envs,) or not mask.any():
@@ -215,9 +215,9 @@ class Heli3DOFVectorEnv(VectorEnv):
         elif isinstance(seed, list | tuple | np.ndarray):
             seeds = list(seed)
         else:
-            raise SeedError(f"seed = {seed!r}: must be a whole number, or one for each of {self.num_envs}")
+            raise SeedError(f"seed = {shown(seed)}: must be a whole number, or one for each of {self.num_envs}")
         if len(seeds) != self.num_envs:
-            raise ValueError(f"seed = {seed!r}: must be a whole number, or one for each of {self.num_envs}")
+            raise ValueError(f"seed = {shown(seed)}: must be a whole number, or one for each of {self.num_envs}")
         return {i: seeded(seeds[i]) for i in chosen if seeds[i] is not None}
 
     def step(self, actions: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
@@ -230,7 +230,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         if type(actions) is not np.ndarray or actions.dtype.char not in "fd":
             values = real_array(actions)
             if values is None:
-                raise ValueError(f"actions = {actions!r}: must be ({self.num_envs}, 2) finite real numbers")
+                raise ValueError(f"actions = {shown(actions)}: must be ({self.num_envs}, 2) finite real numbers")
             actions = values
         if actions.shape != (self.num_envs, 2):
             raise ValueError(f"actions have shape {actions.shape}: must be ({self.num_envs}, 2)")
@@ -307,7 +307,7 @@ class Heli3DOFVectorEnv(VectorEnv):
     def np_random(self, value: Sequence[np.random.Generator]) -> None:
         generators = list(value) if isinstance(value, list | tuple) else []
         if len(generators) != self.num_envs or not all(isinstance(one, np.random.Generator) for one in generators):
-            raise ValueError(f"np_random = {value!r}: must be {self.num_envs} random generators")
+            raise ValueError(f"np_random = {shown(value)}: must be {self.num_envs} random generators")
         self.generators, self.seeds = generators, [-1] * self.num_envs
 
     @property
@@ -352,15 +352,15 @@ class Heli3DOFVectorEnv(VectorEnv):
             return None
         array = real_array(value)
         if array is None or array.shape not in ((6,), (self.num_envs, 6)):
-            raise ValueError(f"options['state'] = {value!r}: must be finite numbers (6,) or ({self.num_envs}, 6)")
+            raise ValueError(f"options['state'] = {shown(value)}: must be finite numbers (6,) or ({self.num_envs}, 6)")
         states = np.array(np.broadcast_to(array, (self.num_envs, 6)))
         own = states[helicopters]
         own = np.where(np.isnan(own).all(axis=1)[:, None] & (array.ndim == 2), starts, own)
         near = (np.abs(own - starts) <= np.array(task.FARTHEST_START)).all()
         if not near or task.crashed(own[:, 4], self.pitch_limit).any():
             raise ValueError(
-                f"options['state'] = {value!r}: must be within 1 rad and 1 rad/s of the references' starts, and the "
-                f"pitch within {self.pitch_limit:g} rad"
+                f"options['state'] = {shown(value)}: must be within 1 rad and 1 rad/s of the references' starts, "
+                f"and the pitch within {self.pitch_limit:g} rad"
             )
         return states
 
@@ -411,7 +411,7 @@ class Heli3DOFVectorEnv(VectorEnv):
 def _count(name: str, value: Any, most: int) -> int:
     """Return the value. Raises ValueError unless it is an integer from 1 to `most`."""
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or not 1 <= value <= most:
-        raise ValueError(f"{name} = {value!r}: must be a positive whole number, at most {most}")
+        raise ValueError(f"{name} = {shown(value)}: must be a positive whole number, at most {most}")
     return int(value)
 
 

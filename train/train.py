@@ -49,7 +49,7 @@ from heli_gym.env import reference_for
 from heli_gym.parameters import Limits
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.rig import PAPER, find_rig, same_dynamics
-from heli_gym.storage import atomic_write, check_folder
+from heli_gym.storage import atomic_write, check_folder, read_json_object
 from heli_gym.task import control_steps
 from heli_gym.train import apg
 from heli_gym.train.apg import APG
@@ -268,12 +268,7 @@ def check_begun(args: Args, folder: Path) -> bool:
         return False
     if not args.resume:
         raise ValueError(f"out: {folder} holds a run already; --resume goes on with it")
-    try:
-        begun = json.loads(path.read_text())
-    except ValueError as error:
-        raise ValueError(f"{path}: must be JSON: {error}") from error
-    if not isinstance(begun, dict):
-        raise ValueError(f"{path}: must be a JSON object, not {begun!r}")
+    begun = read_json_object(path)
     ours = settings_of(args)
     for name in ours:
         if begun.get(name) != ours[name]:

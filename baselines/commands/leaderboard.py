@@ -50,7 +50,7 @@ from heli_gym.cli import command, parse
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import HELD_OUT_SEED, PLANTS
 from heli_gym.rig import find_rig
-from heli_gym.storage import atomic_write, check_folder
+from heli_gym.storage import atomic_write, check_folder, read_json_object
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 NOT_COMPARED = ("middle-voltage", "zero", "residual-rigid")
@@ -143,7 +143,7 @@ def check_begun(args: Args, settings: Settings) -> None:
     if not args.resume:
         raise ValueError(f"out: {args.out} holds a leaderboard already; --resume goes on with it")
     try:
-        begun = json.loads(path.read_text())
+        begun = read_json_object(path)
         earlier = {name: begun[name] for name in Settings._fields if name not in Settings._field_defaults}
     except (ValueError, KeyError, TypeError) as error:
         raise ValueError(f"out: {path} must hold the settings of a leaderboard: {error}") from error

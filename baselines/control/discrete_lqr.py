@@ -11,9 +11,9 @@ import numpy as np
 from scipy.linalg import solve_discrete_are
 
 from heli_gym.baselines.control.estimation import discretise
-from heli_gym.baselines.control.protocol import is_finite
 from heli_gym.model import hover_input, linearise
 from heli_gym.parameters import HelicopterParameters
+from heli_gym.validation import is_number
 
 INTEGRATED = (0, 2)  # indices in (44): travel and elevation
 
@@ -37,7 +37,7 @@ class Weights:
     def __post_init__(self) -> None:
         for item in fields(self):
             value, positive = getattr(self, item.name), item.name.startswith("thrust")
-            if not (is_finite(value) and value >= 0.0) or (positive and value == 0.0):
+            if not (is_number(value) and value >= 0.0) or (positive and value == 0.0):
                 least = "more than 0" if positive else "at least 0"
                 raise ValueError(f"{item.name} = {value!r}: must be a finite number, {least}")
 

@@ -4,6 +4,7 @@ To add a controller, write `my_controller(reference, control_period, rig) -> Pol
 one line to `POLICIES`; `heli-evaluate` and the tests of all policies then include it.
 """
 
+import math
 from collections.abc import Callable
 from functools import partial
 from typing import Any
@@ -15,7 +16,7 @@ from heli_gym.baselines.control.l1_adaptive import l1_adaptive
 from heli_gym.baselines.control.linear_mpc import linear_mpc
 from heli_gym.baselines.control.model_based import kalman_lqr, lag_lqi, lag_lqr, lqi
 from heli_gym.baselines.control.predictive import adaptive_lqr, adaptive_mpc, nmpc
-from heli_gym.baselines.control.protocol import Policy, is_finite
+from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.residual import LEARNED, learned_policy
 from heli_gym.baselines.control.safety import safety_filter
 from heli_gym.baselines.control.scheduled import gain_scheduled
@@ -24,6 +25,7 @@ from heli_gym.baselines.control.weights import WEIGHTS, weights_of
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.rig import Rig, assumed_rig
 from heli_gym.trajectory import Trajectory
+from heli_gym.validation import is_number, real_array, shown
 
 
 def load_policy(path: Any, reference: Trajectory, control_period: float, rig: Rig) -> Policy:
@@ -86,14 +88,17 @@ def make_policy(
         ValueError: for an unknown name; weights of another type; weights or a network for another rig; a control period
             that is not finite and positive; voltage limits that are not finite and increasing.
     """
-    if not (is_finite(control_period) and control_period > 0.0):
-        raise ValueError(f"control_period = {control_period!r}: must be a positive, finite number of seconds")
+    if not isinstance(reference, Trajectory):
+        raise ValueError(f"reference = {shown(reference)}: must be a Trajectory")
+    if not (is_number(control_period) and control_period > 0.0):
+        raise ValueError(f"control_period = {shown(control_period)}: must be a positive, finite number of seconds")
     if parameters is not None and rig is not None:
-        raise ValueError(f"parameters = {parameters}: must not be given together with a rig")
+        raise ValueError(f"parameters = {shown(parameters)}: must not be given together with a rig")
     rig = assumed_rig(reference, parameters if rig is None else rig)
-    limits = rig.voltage_limits if voltage_limits is None else tuple(voltage_limits)
-    if not (len(limits) == 2 and all(map(is_finite, limits)) and limits[0] < limits[1]):
-        raise ValueError(f"voltage_limits = {voltage_limits!r}: must be two finite voltages, the lower one first")
+    window = real_array(rig.voltage_limits if voltage_limits is None else voltage_limits)
+    if window is None or window.shape != (2,) or not -math.inf < window[0] < window[1] < math.inf:
+        raise ValueError(f"voltage_limits = {shown(voltage_limits)}: must be two finite voltages, the lower one first")
+    limits = float(window[0]), float(window[1])
     if str(name).endswith(SAFE):
         base = make_policy(str(name).removesuffix(SAFE), reference, control_period, None, weights, limits, rig)
         policy: Policy = safety_filter(base, reference, control_period, rig)
@@ -103,12 +108,12 @@ def make_policy(
         kind, _, plant = str(name).partition("@")
         if kind not in POLICIES or (plant and kind not in WEIGHTS):
             known = ", ".join(map(repr, POLICIES))
-            raise ValueError(f"name = {name!r}: must be one of {known}, or the path of a learned policy, .json")
+            raise ValueError(f"name = {shown(name)}: must be one of {known}, or the path of a learned policy, .json")
         if weights is None and plant:
             weights = weights_of(name, rig)
         if weights is not None and type(weights) is not type(WEIGHTS.get(kind)):
             needed = type(WEIGHTS[kind]).__name__ if kind in WEIGHTS else "None, because the policy has no weights,"
-            raise ValueError(f"weights = {weights!r}: must be {needed} for {name!r}")
+            raise ValueError(f"weights = {shown(weights)}: must be {needed} for {name!r}")
         policy = POLICIES[kind](reference, control_period, rig, *([] if weights is None else [weights]))
     parts: tuple[Any, ...] = policy, getattr(policy, "base", None)
     for part in parts:

@@ -3,9 +3,7 @@
 Policies broadcast: they fly one helicopter or N helicopters, at one time or at N times.
 """
 
-import math
 from dataclasses import dataclass, field
-from numbers import Real
 from typing import Any, Protocol
 
 import numpy as np
@@ -55,14 +53,6 @@ class StatefulPolicy:
         memory = self.init(t, measurement) if self.memory is None else self.memory
         u, self.memory = self.step(memory, t, measurement)
         return u
-
-
-def is_finite(value: Any) -> bool:
-    """Whether the value is a finite real number within the range of a float."""
-    try:
-        return isinstance(value, Real) and not isinstance(value, bool) and math.isfinite(value)
-    except OverflowError:
-        return False
 
 
 def expand_batch_dims(column: np.ndarray, measurement: np.ndarray) -> np.ndarray:

@@ -19,13 +19,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from heli_gym.baselines.control.model_based import ModelPolicy
-from heli_gym.baselines.control.protocol import Policy, StatefulPolicy, expand_batch_dims, is_finite, step_index
+from heli_gym.baselines.control.protocol import Policy, StatefulPolicy, expand_batch_dims, step_index
 from heli_gym.baselines.control.tracking import TrackingPolicy
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.rig import PAPER, Rig, check_same_rig
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, read_json_object
 from heli_gym.task import TOLERANCE, control_grid
 from heli_gym.trajectory import Trajectory
+from heli_gym.validation import is_number
 
 LEARNED = Path(__file__).parent / "learned"  # packaged policies: the first seed of each plant
 LAWS = ("sum", "saturated")
@@ -91,7 +92,7 @@ class ResidualPolicy:
     single_step: "SingleStep | None" = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.scale) and self.scale >= 0.0):
+        if not (is_number(self.scale) and self.scale >= 0.0):
             raise ValueError(f"scale = {self.scale!r}: must be a finite number of volts, at least 0")
         if not self.feature_groups or not set(self.feature_groups) <= set(FEATURE_GROUPS):
             raise ValueError(
@@ -403,15 +404,15 @@ def check_settings(called: str, settings: Learned, path: Path) -> None:
     for name in ("base", "reference", "plant", "rig"):
         require(name, isinstance(getattr(s, name), str), "text")
     require("base", not s.base.endswith(".json") and not s.base.startswith("residual"), "a policy that is not learned")
-    require("scale", is_finite(s.scale) and s.scale >= 0.0, "a finite number of volts, at least 0")
-    require("control_period", is_finite(s.control_period) and s.control_period > 0.0, "a positive number of seconds")
+    require("scale", is_number(s.scale) and s.scale >= 0.0, "a finite number of volts, at least 0")
+    require("control_period", is_number(s.control_period) and s.control_period > 0.0, "a positive number of seconds")
     for name, least in (("features", 1), ("recurrent", 0)):
         require(name, type(getattr(s, name)) is int and getattr(s, name) >= least, f"a whole number, at least {least}")
     require("hidden", all_of(s.hidden, int, lambda size: size >= 1), "a list of positive whole numbers")
     require("tanh_output", isinstance(s.tanh_output, bool), "true or false")
     require("law", s.law in LAWS, f"one of {', '.join(map(repr, LAWS))}")
     require("feature_groups", all_of(s.feature_groups, str, FEATURE_GROUPS.__contains__), "some of FEATURE_GROUPS")
-    times = isinstance(s.ahead, tuple) and all(is_finite(value) and value >= 0.0 for value in s.ahead)
+    times = isinstance(s.ahead, tuple) and all(is_number(value) and value >= 0.0 for value in s.ahead)
     require("ahead", times, "a list of seconds, at least 0")
 
 
@@ -444,7 +445,7 @@ def load_learned(path: str | os.PathLike) -> tuple[Learned, Network | RecurrentN
     path = Path(path)
     called = f"path = {str(path)!r}"
     try:
-        described = json.loads(path.with_suffix(".json").read_text())
+        described = read_json_object(path.with_suffix(".json"))
         data = path.with_suffix(".safetensors").read_bytes()
         digest = described.pop("sha256")
         whole = described.pop("settings_sha256", None)  # absent in older files

@@ -14,7 +14,7 @@ from heli_gym.baselines.control.discrete_lqr import IntegralWeights, Weights
 from heli_gym.baselines.control.estimation import Noise
 from heli_gym.baselines.paper import tvlqr
 from heli_gym.rig import PAPER, Rig, check_same_rig, same_dynamics
-from heli_gym.storage import atomic_write, locked
+from heli_gym.storage import atomic_write, locked, read_json_object
 
 TUNED = Path(__file__).parent / "tuned"  # one file of weights per plant
 
@@ -105,7 +105,7 @@ def store_weights(name: str, plant: str, weights: Weights, rig: Rig = PAPER) -> 
     path = weights_file(plant, rig)
     rounded = {key: float(f"{value:.4g}") for key, value in asdict(weights).items()}
     with locked(path):
-        known = json.loads(path.read_text()) if path.is_file() else {}
+        known = read_json_object(path) if path.is_file() else {}
         if not same_dynamics(rig, PAPER):
             known["rig"] = rig.to_toml()
         with atomic_write(path) as file:
@@ -117,10 +117,13 @@ def stored_weights(name: str, plant: str, rig: Rig = PAPER) -> Weights:
     path, called = weights_file(plant, rig), f"name = {f'{name}@{plant}'!r}"
     if not path.is_file():  # then the message below names the rig that has weights
         path = TUNED / f"{plant}.json"
-    known = json.loads(path.read_text()) if path.is_file() else {}
+    known = read_json_object(path) if path.is_file() else {}
     if name not in known:
         raise ValueError(f"{called}: no weights are stored for the rig {rig.name!r}; heli-tune --store stores some")
-    own = Rig.from_toml(known["rig"]) if "rig" in known else PAPER
+    try:
+        own = Rig.from_toml(str(known["rig"])) if "rig" in known else PAPER
+    except ValueError as error:
+        raise ValueError(f"{called}: rig in {path}: {error}") from error
     check_same_rig(f"{called}: what is stored", own, rig, "the one that flies")
     try:
         return type(WEIGHTS[name])(**known[name])

@@ -7,7 +7,6 @@ numbers are read from files: nothing is unpickled.
 import importlib
 import inspect
 import io
-import json
 import pickletools
 import sys
 import zipfile
@@ -20,9 +19,10 @@ from typing import Any
 import numpy as np
 
 from heli_gym.baselines.control.policies import make_policy
+from heli_gym.storage import parse_json
 from heli_gym.trajectory import Trajectory
 
-MAX_BYTES = 2**30  # greatest size of a tensor file
+MAX_BYTES = 2**28  # greatest size of a tensor file
 DTYPES = {"FloatStorage": "<f4", "DoubleStorage": "<f8", "HalfStorage": "<f2", "LongStorage": "<i8"}
 ACTIVATIONS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "Tanh": np.tanh,
@@ -176,7 +176,7 @@ def load_sb3(path: str) -> Agent:
     try:
         with zipfile.ZipFile(path) as archive:
             tensors = read_state_dict(member(archive, "policy.pth"))
-            settings = json.loads(member(archive, "data"))
+            settings = parse_json(member(archive, "data"))
     except OSError:
         raise
     except Exception as error:  # a damaged archive, tensor table or JSON raises many types

@@ -35,7 +35,7 @@ from heli_gym.baselines.evaluation.statistics import (
 )
 from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.rig import find_rig
-from heli_gym.storage import atomic_write, try_lock
+from heli_gym.storage import atomic_write, parse_json, read_json_object, try_lock
 from heli_gym.trajectory import Trajectory
 
 TIMED_STEPS = 100
@@ -79,7 +79,7 @@ def policy_on(name: str, plant: str, rig: str = "") -> str:
         return name
     plant = plant.removesuffix(OUTSIDE)
     path = weights_file(plant, find_rig(rig or "paper"))
-    stored = kind in WEIGHTS and path.is_file() and kind in json.loads(path.read_text())
+    stored = kind in WEIGHTS and path.is_file() and kind in read_json_object(path)
     return f"{kind}@{plant}" if stored else kind
 
 
@@ -186,7 +186,7 @@ class Ledger:
         if path.is_file():
             for line in path.read_bytes().split(b"\n"):
                 with contextlib.suppress(ValueError, KeyError, TypeError):  # a line that a kill cut off
-                    row = json.loads(line)
+                    row = parse_json(line)
                     rows.setdefault(int(row["seed"]), row)
         return rows
 

@@ -34,7 +34,7 @@ def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str
         ValueError: for another environment, random start times, or a policy for another control period, amplifier or
             reference.
     """
-    core = env.unwrapped
+    core = env.unwrapped if isinstance(env, gym.Env) else None
     if not isinstance(core, Heli3DOFEnv):
         raise ValueError(f"env = {env!r}: must be a Heli3DOF environment")
     if core.random_start:

@@ -18,9 +18,11 @@ from heli_gym.plant import HELD_OUT_SEED, Plant
 from heli_gym.rig import Rig
 from heli_gym.storage import atomic_write
 from heli_gym.trajectory import Trajectory
+from heli_gym.validation import shown
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 AXES = ("travel", "elevation", "pitch")
+MOST_EPISODES = 10**7
 TOGETHER = 100  # episodes flown at once
 
 
@@ -118,10 +120,10 @@ def evaluate(
     Raises:
         ValueError: for invalid arguments, and policies or trajectories that do not fit them.
     """
-    if not isinstance(episodes, int) or episodes < 1:
-        raise ValueError(f"episodes = {episodes!r}: must be a whole number, at least 1")
-    if not isinstance(seed, int) or seed < 0:
-        raise ValueError(f"seed = {seed!r}: must be a whole number, at least 0")
+    if type(episodes) is not int or not 1 <= episodes <= MOST_EPISODES:
+        raise ValueError(f"episodes = {shown(episodes)}: must be a whole number, 1 to {MOST_EPISODES}")
+    if type(seed) is not int or seed < 0:
+        raise ValueError(f"seed = {shown(seed)}: must be a whole number, at least 0")
     if rig is None:
         rig = rig_of(plant) if isinstance(reference, str) else find_reference(reference).rig
     settings: dict[str, Any] = {

@@ -1,10 +1,8 @@
 """FlightLog: measured angles and commanded voltages on a uniform time grid, from CSV and MATLAB files."""
 
-import json
 import math
 import os
 import re
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,7 +12,9 @@ import numpy as np
 from scipy.io import loadmat
 from scipy.signal import savgol_filter
 
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, parse_json, parse_toml
+from heli_gym.validation import is_number as is_finite
+from heli_gym.validation import real_array, shown
 
 ANGLES = ("travel", "elevation", "pitch")
 VOLTAGES = ("u_front", "u_back")
@@ -24,6 +24,8 @@ TIME_NAMES = ("t", "time", "Time", "tout")
 UNITS = {"rad": 1.0, "deg": math.pi / 180.0, "V": 1.0, "mV": 1e-3, "s": 1.0, "ms": 1e-3, "us": 1e-6}
 LOGS = Path(__file__).parent / "logs"  # simulated
 SAMPLE_TIME = 0.01  # s, grid of logs with shorter steps
+MOST_NUMBERS = 2**25  # of a matrix in a file
+MOST_SAMPLES = 2_000_000  # of a log: 5 hours at 10 ms
 LONGEST_GAP = 0.25  # s, longest gap to interpolate
 RATE_WINDOW = 0.21  # s, window of the polynomials for rates
 TABLE_MARGIN = math.radians(2.0)  # rad, above the table
@@ -54,7 +56,9 @@ class FlightLog:
 
     def __post_init__(self) -> None:
         for name in ("t", "angles", "voltages"):
-            value = np.array(getattr(self, name), dtype=float)
+            value = real_array(getattr(self, name))
+            if value is None:
+                raise ValueError(f"{name} = {shown(getattr(self, name))}: must be an array of real numbers")
             value.setflags(write=False)
             object.__setattr__(self, name, value)
         n = len(self.t) if self.t.ndim == 1 else 0
@@ -246,7 +250,7 @@ def column(
         raise ValueError(f"units: {name} = {unit!r}: must be one of {', '.join(UNITS)}")
     sign, zero = tables["signs"].get(name, 1.0), tables["zeros"].get(name, 0.0)
     for label, number in (("signs", sign), ("zeros", zero)):
-        if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
+        if not is_finite(number):
             raise ValueError(f"{label}: {name} = {number!r}: must be a finite number")
     return float(sign) * UNITS[unit] * (value - float(zero))
 
@@ -256,7 +260,7 @@ def read_mapping(path: str | os.PathLike) -> dict[str, dict[str, Any]]:
     path = Path(path)
     try:
         text = path.read_text()
-        tables = json.loads(text) if path.suffix == ".json" else tomllib.loads(text)
+        tables = parse_json(text) if path.suffix == ".json" else parse_toml(text)
     except (ValueError, UnicodeDecodeError) as error:
         raise ValueError(f"mapping = {str(path)!r}: {error}") from error
     if not isinstance(tables, dict):
@@ -362,6 +366,8 @@ def read_hdf5(path: Path) -> dict[str, np.ndarray]:
 
     def visit(name: str, item: Any) -> None:
         if isinstance(item, h5py.Dataset) and item.dtype.kind in "biuf" and not name.startswith("#"):
+            if item.size > MOST_NUMBERS:
+                raise ValueError(f"{str(path)!r}: {name} has {item.size} numbers; must be at most {MOST_NUMBERS}")
             flatten(name.replace("/", "."), item[()].T, found)
 
     try:
@@ -395,8 +401,13 @@ def on_even_grid(values: dict[str, np.ndarray], sample_time: float | None, path:
     own = float(np.median(steps))
     if sample_time is None:
         sample_time = max(SAMPLE_TIME, own)
-    elif not (math.isfinite(sample_time) and 1e-4 <= sample_time <= 1.0):
+    elif not (is_finite(sample_time) and 1e-4 <= sample_time <= 1.0):
         raise ValueError(f"sample_time = {sample_time!r}: must be 0.0001 to 1 s")
+    if not (t[-1] - t[0]) / sample_time <= MOST_SAMPLES:
+        raise ValueError(
+            f"{str(path)!r}: {t[-1] - t[0]:g} s are more than {MOST_SAMPLES} samples of {sample_time:g} s; "
+            "must be shorter, or in the unit that the mapping states"
+        )
     grid = np.arange(math.floor((t[-1] - t[0]) / sample_time + 1e-6) + 1) * sample_time
     if len(grid) < 3:
         raise ValueError(f"{str(path)!r} must be longer than two samples of {sample_time:g} s")

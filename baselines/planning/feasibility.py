@@ -13,6 +13,7 @@ from heli_gym.baselines.planning.path import RECOVERY, path_fault, pitch_window
 from heli_gym.model import fan_thrusts, hover_input, linearise, virtual_input
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.trajectory import Maneuver, Trajectory
+from heli_gym.validation import is_number, shown
 
 ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s, from the end of the replayed plan to the goal, per turn of travel
 LONGEST_PLAN, FARTHEST_GOAL = 1e4, 1e5  # s and rad, largest accepted maneuver
@@ -93,8 +94,8 @@ def followed_by_hover(trajectory: Trajectory, maneuver: Maneuver) -> Trajectory:
 
 def start_clock(maneuver: Maneuver, time_limit: float | None) -> TimeLimit:
     """Start a time limit in s now; None sets none. Raises ValueError unless it is positive."""
-    if time_limit is not None and not time_limit > 0.0:
-        raise ValueError(f"time_limit = {time_limit!r}: must be a positive number of seconds, or None")
+    if time_limit is not None and not (is_number(time_limit) and time_limit > 0.0):
+        raise ValueError(f"time_limit = {shown(time_limit)}: must be a positive number of seconds, or None")
     seconds = math.inf if time_limit is None else time_limit
     return TimeLimit(maneuver, seconds, time.perf_counter() + seconds)
 

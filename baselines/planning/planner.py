@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -33,6 +34,7 @@ from heli_gym.baselines.planning.paper_method import (
 from heli_gym.baselines.planning.path import check_ends
 from heli_gym.parameters import Limits
 from heli_gym.trajectory import Maneuver, Trajectory
+from heli_gym.validation import is_number, shown
 
 PITCH_RESERVES = (0.0, 1e-4)  # shares of the pitch limits in reserve for the fastest spline's replay error of 1e-5 rad
 RESERVE_ACCURACY = 5e-3  # of the largest reserve
@@ -93,14 +95,15 @@ def plan(
         InfeasibleManeuver: if the method finds no plan (names the binding constraint and the shortest duration that it
             can plan), or after the time limit.
     """
-    if method not in METHODS:
-        raise ValueError(f"method = {method!r}: must be one of {', '.join(METHODS)}")
-    if objective not in (None, *OBJECTIVES):
-        raise ValueError(f"objective = {objective!r}: must be one of {', '.join(OBJECTIVES)}")
+    check_maneuver(maneuver)
+    if not isinstance(method, str) or method not in METHODS:
+        raise ValueError(f"method = {shown(method)}: must be one of {', '.join(METHODS)}")
+    if objective is not None and not (isinstance(objective, str) and objective in OBJECTIVES):
+        raise ValueError(f"objective = {shown(objective)}: must be one of {', '.join(OBJECTIVES)}")
     if objective is not None and method not in ("auto", "spline"):
         raise ValueError(f"objective = {objective!r}: must go with method 'auto' or 'spline'")
     if start_state is not None:
-        maneuver = replace(maneuver, start_state=tuple(np.asarray(start_state, dtype=float).tolist()))
+        maneuver = replace(maneuver, start_state=start_state)  # type: ignore[arg-type]
     check_method(maneuver, method)
     check_scale(maneuver)
     check_ends(maneuver)
@@ -112,7 +115,7 @@ def plan(
     if near is None:
         return METHODS[method](maneuver, clock)
     if not isinstance(near, Trajectory):
-        raise ValueError(f"near = {near!r}: must be a Trajectory")
+        raise ValueError(f"near = {shown(near)}: must be a Trajectory")
     if method not in NEARBY:
         raise ValueError(f"method = {method!r} does not start from another plan: must be one of {', '.join(NEARBY)}")
     if objective is not None:
@@ -140,10 +143,11 @@ def plan_fastest(
             exceeds the reduced ranges.
         InfeasibleManeuver: if the shortest duration found is longer than the maneuver's, or after the time limit.
     """
-    if method not in FASTEST:
-        raise ValueError(f"method = {method!r}: must be one of {', '.join(FASTEST)}")
-    if not 0.0 <= reserve < 1.0:
-        raise ValueError(f"reserve = {reserve!r}: must be at least 0 and less than 1")
+    check_maneuver(maneuver)
+    if not isinstance(method, str) or method not in FASTEST:
+        raise ValueError(f"method = {shown(method)}: must be one of {', '.join(FASTEST)}")
+    if not (is_number(reserve) and 0.0 <= reserve < 1.0):
+        raise ValueError(f"reserve = {shown(reserve)}: must be at least 0 and less than 1")
     if maneuver.start == maneuver.goal and maneuver.is_from_rest_to_rest:
         raise ValueError(f"goal = {maneuver.goal}: must differ from the start")
     check_scale(maneuver)
@@ -164,6 +168,12 @@ def check_method(maneuver: Maneuver, method: str) -> None:
             f"method = {method!r} plans from rest to rest: must be one of {', '.join(GENERAL)} for ends in motion, a "
             "free elevation, via points, and periodic flights"
         )
+
+
+def check_maneuver(maneuver: Any) -> None:
+    """Raise ValueError unless the argument is a maneuver."""
+    if not isinstance(maneuver, Maneuver):
+        raise ValueError(f"maneuver = {shown(maneuver)}: must be a Maneuver")
 
 
 def with_reserve(limits: Limits, reserve: float) -> Limits:

@@ -10,6 +10,7 @@ from heli_gym.baselines.planning.feasibility import validated
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.rig import Rig
 from heli_gym.trajectory import Maneuver, Trajectory
+from heli_gym.validation import real_array, shown
 
 DRAWS = 1000  # largest number until a plan is found
 
@@ -42,9 +43,9 @@ class ManeuverSampler:
 
     def __post_init__(self) -> None:
         for name in ("travel", "elevation"):
-            low, high = getattr(self, name)
-            if not (math.isfinite(low) and math.isfinite(high) and low <= high):
-                raise ValueError(f"{name} = {getattr(self, name)!r}: must be finite (low, high) in rad")
+            ends = real_array(getattr(self, name))
+            if ends is None or ends.shape != (2,) or not -math.inf < ends[0] <= ends[1] < math.inf:
+                raise ValueError(f"{name} = {shown(getattr(self, name))}: must be finite (low, high) in rad")
         for corner in self.elevation:
             self.maneuver(self.travel[1], corner, corner)  # raises ValueError without hover
 

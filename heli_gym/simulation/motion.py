@@ -43,6 +43,8 @@ from heli_gym.simulation.layout import (
 )
 from heli_gym.simulation.rotors import apply_amplifier, delay_command, map_thrusts, turn_rotors
 
+FASTEST = 100.0  # rad/s, far beyond any laboratory helicopter
+
 
 class Body(NamedTuple):
     """Arguments of a time derivative besides state and thrust."""
@@ -107,6 +109,19 @@ def general_rigid_body(x: Any, v: Any, body: GeneralBody) -> tuple:
     return with_lift(dx, body.travel_lift)
 
 
+def with_bounded_rates(x: Any) -> tuple:
+    """The state with rates of at most FASTEST, so that the quadratic terms of a rigid body never overflow."""
+    q1, dq1, q2, dq2, q3, dq3 = x
+    return (
+        q1,
+        min(max(dq1, -FASTEST), FASTEST),
+        q2,
+        min(max(dq2, -FASTEST), FASTEST),
+        q3,
+        min(max(dq3, -FASTEST), FASTEST),
+    )
+
+
 derivative = equation_3  # `kernels` rebinds this name to one of these
 
 
@@ -130,7 +145,7 @@ def integrate(block: Any, n: int, h: Any) -> None:
             virtual_input((front * thrust(middle_f, p), back * thrust(middle_b, p))),
             virtual_input((front * thrust(end_f, p), back * thrust(end_b, p))),
         )
-        put_six(block, X, i, rk4_step(derivative, six(block, X, i), inputs, h, body))
+        put_six(block, X, i, with_bounded_rates(rk4_step(derivative, six(block, X, i), inputs, h, body)))
         put_two(block, ROTOR, i, (end_f, end_b))
 
 
@@ -169,7 +184,8 @@ def integrate_general(block: Any, n: int) -> None:
             virtual_input((front * f2, back * b2)),
             virtual_input((front * f3, back * b3)),
         )
-        put_six(block, X, i, rk4_step(derivative, six(block, X, i), inputs, block[H * ROW + i], body))
+        x = rk4_step(derivative, six(block, X, i), inputs, block[H * ROW + i], body)
+        put_six(block, X, i, with_bounded_rates(x))
 
 
 def fly_part(block: Any, n: int, s: Settings, decay_row: int) -> None:
@@ -206,4 +222,5 @@ def step_equation_3(block: Any, n: int, s: Settings) -> None:
     for i in range(n):
         p, (u_f, u_b) = HelicopterParameters(*eleven(block, PARAMETERS, i)), two(block, COMMAND, i)
         v = virtual_input((thrust(u_f, p), thrust(u_b, p)))
-        put_six(block, X, i, rk4_step(derivative, six(block, X, i), (v, v, v), s.period, Body(p, (), (), (), ())))
+        x = rk4_step(derivative, six(block, X, i), (v, v, v), s.period, Body(p, (), (), (), ()))
+        put_six(block, X, i, with_bounded_rates(x))

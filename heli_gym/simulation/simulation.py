@@ -57,6 +57,7 @@ from heli_gym.task import OBSERVED, TABLE_WIDTH, control_steps, hover_voltage, r
 from heli_gym.thrust_map import TableCurve
 from heli_gym.trajectory import Sampler, Trajectory
 
+MOST_BYTES = 2**30  # of the arrays of a simulation
 SUBSTEP = 10e-3  # s, largest integration step of plants beyond (3)
 STABLE = 0.5  # largest product of an integration step and the rate at which friction damps an axis
 
@@ -222,6 +223,7 @@ class Simulation:
         self.uniforms = np.zeros((len(plants), START_PLANT + max(p.uniforms for p in all_plants)))
 
         rows = count_rows(settings)
+        self._check_memory(rows)
         self.initial = np.zeros((rows, len(plants)))  # of the blocks at the start of a flight, before the draw
         self.size = rows * ROW
         self.actions: np.ndarray = np.zeros((len(plants), 2), dtype)
@@ -234,6 +236,19 @@ class Simulation:
         pad = np.zeros(SETTINGS - len(settings))
         self.memory: np.ndarray = np.concatenate((parts[0], pad, *parts[1:]), dtype=dtype)
         self._bind()
+
+    def _check_memory(self, rows: int) -> None:
+        """Raise ValueError if the arrays would take more than MOST_BYTES."""
+        longest = {id(source): control_steps(source.duration, self.control_period) + 1 for source in self.sources}
+        samplers = [id(source) for source in self.sources if not isinstance(source, Trajectory)]
+        table = sum(longest[key] for key in {*longest} - {*samplers}) + sum(map(longest.__getitem__, samplers))
+        size = 8 * (table * TABLE_WIDTH + 2 * rows * len(self.plants))
+        if size > MOST_BYTES:
+            raise ValueError(
+                f"num_envs = {len(self.plants)}, control_period = {self.control_period:g} s: references of "
+                f"{table} steps and {rows} numbers for each helicopter take {size / 2**30:.1f} GB; "
+                f"must be at most {MOST_BYTES / 2**30:g} GB"
+            )
 
     def _table(self) -> np.ndarray:
         """Stack the references on the control grid, (K, TABLE_WIDTH), and store the first row of each helicopter.
