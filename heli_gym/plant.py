@@ -62,7 +62,7 @@ class Uniform:
 
     def __post_init__(self) -> None:
         if not (is_number(self.low) and is_number(self.high) and self.low <= self.high):
-            raise ValueError(f"{shown(self)}: must be finite numbers with low <= high")
+            raise ValueError(f"Uniform({shown(self.low)}, {shown(self.high)}): must be finite numbers with low <= high")
 
 
 Number: TypeAlias = Any  # a float, or a Uniform to draw one from

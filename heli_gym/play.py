@@ -23,6 +23,7 @@ from heli_gym.parameters import HelicopterParameters
 from heli_gym.rendering import load_pygame
 from heli_gym.rig import PAPER, Rig
 from heli_gym.task import EFFORT_SHARE, TOLERANCE
+from heli_gym.validation import real_array, shown
 
 LIFT, ROLL = 1.5, 0.6  # V on each fan while a key is pressed
 FASTEST = np.array((0.9, 0.15))  # rad/s, travel and elevation rates of the set-point while a key is pressed
@@ -53,8 +54,11 @@ class Assist(gym.Wrapper):
 
     def step(self, action: Any) -> tuple[np.ndarray, Any, bool, bool, dict[str, Any]]:
         """Move the set-point by the player's command, and fly one control period towards it."""
+        given = real_array(action)
+        if given is None or given.shape != (2,) or not np.isfinite(given).all():
+            raise ValueError(f"action = {shown(action)}: must be two finite real numbers")
         period = self.helicopter.control_period
-        commanded = FASTEST * np.clip(action, -1.0, 1.0)
+        commanded = FASTEST * np.clip(given, -1.0, 1.0)
         rest = self.position + (2.0 * PACE * self.rate + self.acceleration) / PACE**2  # where it would stop
         if commanded[1] * rest[1] > 0.0 and not self.highest < rest[1] < self.lowest:
             commanded[1] = 0.0

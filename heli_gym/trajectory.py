@@ -115,6 +115,8 @@ class Maneuver:
                 )
 
         object.__setattr__(self, "via", validate_via(self.via, self.duration))
+        if not isinstance(self.periodic, bool):
+            raise ValueError(f"periodic = {shown(self.periodic)}: must be True or False")
         if self.periodic and (self.start_state, self.goal_state, self.elevation_free) != (None, None, False):
             raise ValueError("periodic = True: must go with start and goal, not with states or a free elevation")
         if self.periodic and self.start[1] != self.goal[1]:

@@ -63,7 +63,7 @@ def save_checkpoint(folder: Path, number: int, state: dict[str, Any]) -> None:
 def read_checkpoint(path: Path) -> dict[str, Any]:
     """Read a state that `write_state` wrote. Raises ValueError for a damaged file."""
     try:
-        data, digest = path.read_bytes(), path.with_suffix(".sha256").read_text().strip()
+        data, digest = path.read_bytes(), path.with_suffix(".sha256").read_text(encoding="utf-8").strip()
     except OSError as error:
         raise ValueError(f"checkpoint {path}: {error}") from error
     if sha256(data).hexdigest() != digest:

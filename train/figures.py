@@ -35,7 +35,7 @@ def learning_curves(runs: Mapping[str, Sequence[Path]]) -> Figure:
         seconds: list[float] = []
         rows: list[dict[str, Any]] = []
         for stage, folder in enumerate(folders):
-            history = json.loads((folder / "history.json").read_text())
+            history = json.loads((folder / "history.json").read_text(encoding="utf-8"))
             offset = (steps[-1], seconds[-1]) if steps else (0, 0.0)
             for row in history[1:] if stage else history:
                 steps.append(offset[0] + row["steps"])

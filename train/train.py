@@ -564,7 +564,7 @@ def main() -> None:
     with command("heli-train"):
         console = Console()
         folder = train(parse(Args, "heli-train", __doc__), console)
-        first, *_, last = json.loads((folder / "history.json").read_text())
+        first, *_, last = json.loads((folder / "history.json").read_text(encoding="utf-8"))
         console.print(
             f"validation: return {first['episode_return']:.2f} s before, {last['episode_return']:.2f} s after\n"
             f"{folder}/best.safetensors: the best network; heli-evaluate --policies {folder}/best.json flies it"

@@ -19,6 +19,7 @@ from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.simulation.layout import LAG, LOSS, RIG, VISCOUS
 from heli_gym.task import TOLERANCE, to_action, to_voltage
 from heli_gym.trajectory import Trajectory
+from heli_gym.validation import real_array, shown
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 # Random rows of the simulation, with middle and scale of their ranges in the presets.
@@ -290,7 +291,10 @@ class ResidualVecEnv(HeliVecEnv):
         return tracking_reward((state - self.reference_at(time))[0:3:2], cost / self.core.control_period, rewards)
 
     def to_env_action(self, actions: np.ndarray) -> np.ndarray:
-        u = self.policy.correct(self.t, self.measurement, self.u_base, np.clip(actions.T, -1.0, 1.0).astype(float))
+        given = real_array(actions)
+        if given is None or given.shape != (self.num_envs, 2) or not np.isfinite(given).all():
+            raise ValueError(f"actions = {shown(actions)}: must be ({self.num_envs}, 2) finite real numbers")
+        u = self.policy.correct(self.t, self.measurement, self.u_base, np.clip(given.T, -1.0, 1.0))
         return to_action(u, self.core.voltage_limits, self.core.hover_voltage).T
 
     def agent_observations(self, observation: np.ndarray, done: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -163,7 +163,7 @@ def is_sound(requested: Maneuver, solution: Solution) -> bool:
 
 def live_data(rig: Rig | None = None, console: Console | None = None) -> dict[str, Any]:
     """All data of the page, collected from the modules that define them: of a rig alone, or of the packaged ones."""
-    grids = json.loads(PLANS.read_text())
+    grids = json.loads(PLANS.read_text(encoding="utf-8"))
     packaged = {name: find_rig(name) for name in RIGS}
     named = {name: own for name, own in packaged.items() if rig is not None and own == rig}
     paper = Maneuver()

@@ -99,7 +99,7 @@ class CSource:
 
     def use(self, template: str, replacements: Mapping[str, str] | None = None) -> None:
         """Append a file of `c_code`, with text replacements."""
-        text = (TEMPLATES / template).read_text()
+        text = (TEMPLATES / template).read_text(encoding="utf-8")
         for old, new in (replacements or {}).items():
             text = text.replace(old, new)
         self.code.append(text)
@@ -207,7 +207,12 @@ def thrust_curve(source: CSource, rotor: str, curve: ThrustCurve, forward: bool)
         source.array(f"{upper}_VOLTAGES", curve.voltages)
         source.array(f"{upper}_THRUSTS", curve.thrusts)
         source.array(f"{upper}_CUBIC", curve.cubics.c.T)
-        return (TEMPLATES / "table_curve.c").read_text().replace("@rotor@", rotor).replace("@ROTOR@", upper)
+        return (
+            (TEMPLATES / "table_curve.c")
+            .read_text(encoding="utf-8")
+            .replace("@rotor@", rotor)
+            .replace("@ROTOR@", upper)
+        )
     assert isinstance(curve, PowerCurve)
     number, zone = source.number, source.number(curve.dead_zone)
 

@@ -18,9 +18,10 @@ from numpy.typing import ArrayLike
 
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy, StatefulPolicy, assign_columns, select_columns
-from heli_gym.env import Heli3DOFEnv, real_array
+from heli_gym.env import Heli3DOFEnv
 from heli_gym.task import OBSERVATION_LIMIT, observed_voltage
 from heli_gym.trajectory import Trajectory
+from heli_gym.validation import real_array
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 PolicyMaker = Callable[[Trajectory, float], Policy]  # arguments: reference, control period in s

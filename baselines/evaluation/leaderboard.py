@@ -37,6 +37,7 @@ from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, parse_json, read_json_object, try_lock
 from heli_gym.trajectory import Trajectory
+from heli_gym.validation import is_number
 
 TIMED_STEPS = 100
 SHOWN = ("rms_error_deg", "rms_travel_deg", "rms_elevation_deg", "cost")
@@ -187,7 +188,8 @@ class Ledger:
             for line in path.read_bytes().split(b"\n"):
                 with contextlib.suppress(ValueError, KeyError, TypeError):  # a line that a kill cut off
                     row = parse_json(line)
-                    rows.setdefault(int(row["seed"]), row)
+                    if is_row(row, policy, condition):
+                        rows.setdefault(row["seed"], row)
         return rows
 
     def keep_whole(self, wanted: Sequence[Batch]) -> list[Batch]:
@@ -224,6 +226,18 @@ class Ledger:
             rows = self.read(policy, condition)
             found += [rows[seed] for seed in sorted(seeds & set(rows))]
         return found
+
+
+def is_row(row: dict[str, Any], policy: str, condition: Condition) -> bool:
+    """Whether a value is a whole row of a policy's flight: names of columns, types, and finite numbers."""
+    names = {"policy": policy, **condition._asdict()}
+    flags, numbers = ("crashed", "success", "within_limits"), ("rms_error_deg", "rms_travel_deg", "rms_elevation_deg")
+    return (
+        {name: row[name] for name in names} == names
+        and type(row["seed"]) is int
+        and all(isinstance(row[name], bool) for name in flags)
+        and all(is_number(row[name]) for name in (*numbers, "cost"))
+    )
 
 
 def line_of(row: dict[str, Any]) -> bytes:

@@ -48,16 +48,16 @@ def write_page(path: str | os.PathLike, kind: str, title: str, data: Mapping[str
     parts = {
         "kind": kind,
         "title": title,
-        "style": (WEB / "heli.css").read_text(),
+        "style": (WEB / "heli.css").read_text(encoding="utf-8"),
         "data": json.dumps(data, separators=(",", ":"), allow_nan=False),
-        "script": (WEB / "heli.js").read_text(),
+        "script": (WEB / "heli.js").read_text(encoding="utf-8"),
     }
     # The hash permits this program only, not a script in a user's text.
     parts["hash"] = base64.b64encode(sha256(parts["script"].encode()).digest()).decode()
     # Escaped, a user's text cannot close its element.
     parts["title"] = parts["title"].replace("&", "&amp;").replace("<", "&lt;")
     parts["data"] = parts["data"].replace("<", "\\u003c")
-    page = re.sub("<!--([a-z]+)-->", lambda place: parts[place[1]], (WEB / "page.html").read_text())
+    page = re.sub("<!--([a-z]+)-->", lambda place: parts[place[1]], (WEB / "page.html").read_text(encoding="utf-8"))
     with atomic_write(path) as file:
         file.write(page.encode())
 

@@ -12,6 +12,7 @@ from heli_gym.env import Heli3DOFEnv
 from heli_gym.rig import UNNAMED, Rig, check_same_rig
 from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.trajectory import Trajectory
+from heli_gym.validation import shown
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 # rad and rad/s, tolerance for equal references: solvers on other machines, and files, round differently
@@ -36,9 +37,9 @@ def fly(env: gym.Env, policy: Policy, seed: int | None = None, options: dict[str
     """
     core = env.unwrapped if isinstance(env, gym.Env) else None
     if not isinstance(core, Heli3DOFEnv):
-        raise ValueError(f"env = {env!r}: must be a Heli3DOF environment")
+        raise ValueError(f"env = {shown(env)}: must be a Heli3DOF environment")
     if core.random_start:
-        raise ValueError(f"env = {env!r}: must start at its reference's start, without random_start")
+        raise ValueError(f"env = {shown(env)}: must start at its reference's start, without random_start")
     observation, info = env.reset(seed=seed, options=options)
     check_policy(policy, core, core.reference)
     policy.reset(np.random.default_rng(seed))

@@ -192,7 +192,10 @@ class FlightLog:
             if name not in values:
                 raise ValueError(missing_column(path, name, held))
         t, angles, voltages, references = on_even_grid(values, sample_time, path)
-        return cls(t, angles, voltages, references, path.stem)
+        try:
+            return cls(t, angles, voltages, references, path.stem)
+        except ValueError as error:
+            raise ValueError(f"{str(path)!r}: {error}") from error
 
 
 def find_log(path: str | os.PathLike, **arguments: Any) -> FlightLog:
@@ -259,7 +262,7 @@ def read_mapping(path: str | os.PathLike) -> dict[str, dict[str, Any]]:
     """Read the tables columns, signs, units and zeros of a .toml or .json file. Raises ValueError for anything else."""
     path = Path(path)
     try:
-        text = path.read_text()
+        text = path.read_text(encoding="utf-8")
         tables = parse_json(text) if path.suffix == ".json" else parse_toml(text)
     except (ValueError, UnicodeDecodeError) as error:
         raise ValueError(f"mapping = {str(path)!r}: {error}") from error

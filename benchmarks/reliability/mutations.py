@@ -21,7 +21,7 @@ from heli_gym.baselines.control import weights as weights_module
 from heli_gym.baselines.control.residual import LEARNED, Network, load_learned
 from heli_gym.baselines.control.weights import stored_weights
 from heli_gym.baselines.evaluation.agents import load_onnx, load_sb3
-from heli_gym.baselines.evaluation.leaderboard import Condition, Ledger
+from heli_gym.baselines.evaluation.leaderboard import Batch, Condition, Ledger, Settings, fly_batch, line_of, standings
 from heli_gym.baselines.identification.flight_log import FlightLog, read_mapping
 from heli_gym.rig import RIGS, Rig
 from heli_gym.storage import read_json_object
@@ -95,9 +95,10 @@ def load_weights(path: Path) -> str:
 
 def load_ledger(path: Path) -> str:
     """Rows of the flights that are whole: a ledger loses damaged lines, which fly again."""
-    ledger = Ledger(path.parent)
+    ledger = Ledger(path.parent.parent)
     try:
-        return digest(sorted(ledger.read("zero", Condition("lab", "travel-360"))))
+        rows = ledger.read("zero", Condition("lab", "climb-15"))
+        return digest(sorted(rows), standings(list(rows.values()), "zero"))
     finally:
         ledger.close()
 
@@ -131,10 +132,10 @@ def artifacts(folder: Path) -> list[Artifact]:
     t = np.arange(0.0, 3.0, 0.02)
     log = FlightLog(t, np.zeros((3, len(t))) + 0.01 * np.sin(t), np.full((2, len(t)), 6.0))
     log.save(folder / "log.csv")
-    row = {"policy": "zero", "plant": "lab", "reference": "travel-360", "rms_error_deg": 1.0}
-    lines = b"".join(json.dumps({**row, "seed": k}).encode() + b"\n" for k in range(20))
+    settings = Settings(0, 6, 6, 0.02, 5.0)
+    lines = b"".join(map(line_of, fly_batch(Batch("zero", Condition("lab", "climb-15"), 0, 6), settings)))
     ledger = Ledger(folder)
-    name = ledger.path("zero", Condition("lab", "travel-360")).name
+    name = ledger.path("zero", Condition("lab", "climb-15")).name
     ledger.close()
     learned = {f"lab{suffix}": (LEARNED / f"lab{suffix}").read_bytes() for suffix in (".json", ".safetensors")}
     tuned = {"lab.json": (weights_module.TUNED / "lab.json").read_bytes()}

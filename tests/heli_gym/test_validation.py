@@ -75,7 +75,7 @@ def test_an_odd_value_is_refused_by_the_name_of_the_argument(name, call, value):
     assert len(str(error.value)) < 1500
 
 
-@pytest.mark.parametrize("value", [10**400, "1", None, 1j, [1.0], {}, b"1"])
+@pytest.mark.parametrize("value", [10**400, "1", None, 1j, {}, b"1"])
 def test_conversions_and_lookups_refuse_odd_values(value):
     env = Heli3DOFEnv()
     with pytest.raises(ValueError, match="action = "):
@@ -83,7 +83,7 @@ def test_conversions_and_lookups_refuse_odd_values(value):
     with pytest.raises(ValueError, match="u = "):
         env.to_action([value, value])
     with pytest.raises(ValueError, match="t = "):
-        REFERENCE(value if value != [1.0] else [value, value, [2.0]])
+        REFERENCE(value)
 
 
 @pytest.mark.parametrize("load", [Trajectory.load, Rig.load])

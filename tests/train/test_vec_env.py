@@ -1,5 +1,7 @@
 """`HeliVecEnv` is equivalent to `make_vec_env` for clients of Stable-Baselines3."""
 
+import pickle
+
 import gymnasium as gym
 import numpy as np
 import pytest
@@ -14,10 +16,11 @@ from stable_baselines3.common.evaluation import evaluate_policy
 from stable_baselines3.common.vec_env import VecFrameStack, VecMonitor, VecNormalize
 
 import heli_gym  # noqa: F401, registers Heli3DOF-v0
-from heli_gym.baselines import VectorResidualAction
+from heli_gym.baselines import VectorResidualAction, make_policy
+from heli_gym.baselines.control.residual import ResidualPolicy
 from heli_gym.env import find_reference
 from heli_gym.plant import PLANTS
-from heli_gym.train.vec_env import HeliVecEnv
+from heli_gym.train.vec_env import HeliVecEnv, ResidualVecEnv
 
 SHORT = {"reference": "climb-7.5", "plant": "lab", "start_spread_deg": 3.0}
 
@@ -165,3 +168,17 @@ def test_a_model_saved_on_one_plant_is_loaded_on_another_rig_plant_and_reference
         for env in (gym.make("Heli3DOF-v0", **arguments), native(2, **arguments)):
             agent = PPO.load(tmp_path / "model.zip", env=env, device="cpu")
             agent.learn(16)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, "x"])
+def test_refused_actions_change_neither_helicopters_nor_the_memory_of_the_corrected_policy(bad):
+    envs = gym.make_vec("Heli3DOF-v0", 2, autoreset_mode="SameStep", **SHORT).unwrapped
+    reference = envs.reference_of(0) if envs.has_begun else find_reference("climb-7.5")
+    policy = ResidualPolicy(make_policy("lqi", reference), reference, None, 1.0)
+    vec = ResidualVecEnv(envs, policy)
+    vec.reset()
+    before = pickle.dumps((policy.memory, envs.simulation.blocks))
+    vec.step_async(np.array([[0.0, bad], [0.0, 0.0]]))
+    with pytest.raises(ValueError, match="actions = "):
+        vec.step_wait()
+    assert pickle.dumps((policy.memory, envs.simulation.blocks)) == before
