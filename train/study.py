@@ -29,7 +29,6 @@ every combination of the grid, and its value is the mean of a metric over them.
 import json
 import math
 import re
-import tomllib
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, fields, replace
@@ -41,6 +40,7 @@ from types import UnionType
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from heli_gym.plant import find_plant
+from heli_gym.storage import parse_toml
 from heli_gym.train import train
 
 MOST_TRIALS = 10_000
@@ -103,8 +103,8 @@ class Trial:
 def read_study(path: Path) -> Study:
     """Read a study. Raises ValueError that names the error in it, OSError for an unreadable file."""
     try:
-        tables = tomllib.loads(path.read_text())
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        tables = parse_toml(path.read_text(encoding="utf-8"))
+    except ValueError as error:
         raise ValueError(f"study = {str(path)!r}: must be TOML: {error}") from error
     settings, grid, search = (tables.pop(name, {}) for name in ("settings", "grid", "search"))
     if tables:

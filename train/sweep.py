@@ -135,7 +135,7 @@ def run_trial(order: Order) -> dict[str, Any]:
 
 def record_of(order: Order, args: train.CompleteArgs, folder: Path) -> dict[str, Any]:
     """Record of a finished trial: settings, and the validation of its best network."""
-    history = json.loads((folder / "history.json").read_text())
+    history = json.loads((folder / "history.json").read_text(encoding="utf-8"))
     best = max(history[1:], key=lambda row: train.score(args, row))
     travel, elevation, *_ = best["rms_error_deg"]
     return {

@@ -111,7 +111,7 @@ def load_checkpoint(path: Path) -> str:
 
 
 def load_study(path: Path) -> str:
-    from heli_gym.train.sweep import read_study
+    from heli_gym.train.study import read_study
 
     return digest(read_study(path))
 
