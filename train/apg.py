@@ -46,7 +46,17 @@ from heli_gym.simulation.layout import (
 )
 from heli_gym.thrust_map import PowerCurve
 from heli_gym.train.checkpoint import read_checkpoint, write_state
-from heli_gym.train.flight_gradient import LANES, SUBSTEPS, Batch, Outcome, Rollout, Settings, Task, Weights
+from heli_gym.train.flight_gradient import (
+    LANES,
+    PITCH_PENALTY,
+    SUBSTEPS,
+    Batch,
+    Outcome,
+    Rollout,
+    Settings,
+    Task,
+    Weights,
+)
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 GROUPS = ("error", "voltages", "preview")  # feature groups of its network
@@ -58,18 +68,48 @@ FLIGHT_FEATURES = (*range(8), 10, 11)  # indices; the other features depend on t
 class Actor(torch.nn.Module):
     """GRU cell and linear layer: maps features (N, F) to actions (N, 2) in [-1, 1]."""
 
-    def __init__(self, features: int, hidden: int) -> None:
+    def __init__(self, features: int, hidden: int, memory: bool = True) -> None:
         super().__init__()
         self.cell = torch.nn.GRUCell(features, hidden)
         self.head = torch.nn.Linear(hidden, 2)
         torch.nn.init.zeros_(self.head.bias)
         with torch.no_grad():
             self.head.weight.mul_(0.01)  # the first flights are close to the base policy's
+        if not memory:
+            forget_always(self.cell)
 
     def forward(self, features: torch.Tensor, hidden: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
         """Actions (N, 2) and next hidden state (N, H) for features (N, F) and hidden state (N, H)."""
         hidden = self.cell(features, hidden)
         return torch.tanh(self.head(hidden)), hidden
+
+
+CLOSED = -40.0  # argument of the sigmoid of a gate that is never open
+
+
+def forget_always(cell: torch.nn.GRUCell) -> None:
+    """Make a cell a layer without memory, new = tanh(W x + b), and let no gradient change that."""
+    n = cell.hidden_size
+
+    def fixed(rows: slice) -> Any:
+        def hook(gradient: torch.Tensor) -> torch.Tensor:
+            gradient = gradient.clone()
+            gradient[rows] = 0.0
+            return gradient
+
+        return hook
+
+    update, every = slice(n, 2 * n), slice(None)
+    with torch.no_grad():
+        cell.weight_hh.zero_(), cell.bias_hh.zero_()
+        cell.weight_ih[update], cell.bias_ih[update] = 0.0, CLOSED
+    for tensor, rows in (
+        (cell.weight_hh, every),
+        (cell.bias_hh, every),
+        (cell.weight_ih, update),
+        (cell.bias_ih, update),
+    ):
+        tensor.register_hook(fixed(rows))
 
 
 def network_of(actor: Actor) -> RecurrentNetwork:
@@ -129,7 +169,13 @@ def weights_of(tensors: Any) -> Weights:
     return Weights(np.ascontiguousarray(seen), preview, hidden, input_bias, hidden_bias, output, output_bias)
 
 
-def task_of(policy: ResidualPolicy, envs: Heli3DOFVectorEnv, cost_weight: float, elevation_weight: float) -> Task:
+def task_of(
+    policy: ResidualPolicy,
+    envs: Heli3DOFVectorEnv,
+    cost_weight: float,
+    elevation_weight: float,
+    pitch_penalty: float = PITCH_PENALTY,
+) -> Task:
     """Common task of all flights of the helicopters, with the policy's base and law.
 
     Raises ValueError for a base, law or plant that the compiled flights do not support.
@@ -168,7 +214,7 @@ def task_of(policy: ResidualPolicy, envs: Heli3DOFVectorEnv, cost_weight: float,
         envs.control_period, low, high, envs.pitch_limit, *limits.u, *limits.pitch,
         float(np.exp(-envs.control_period / first.sensors.rate_filter)), policy.scale,
         curve.k_plus, curve.k_minus, cost_weight, elevation_weight,
-        *((low, high) if policy.law == "saturated" else (-UNBOUNDED, UNBOUNDED)), curve.exponent,
+        *((low, high) if policy.law == "saturated" else (-UNBOUNDED, UNBOUNDED)), curve.exponent, pitch_penalty,
     )  # fmt: skip
     return Task(
         np.ascontiguousarray(base.x.T),
@@ -227,6 +273,8 @@ class APG:
         max_grad_norm: greatest norm of the clipped gradient.
         cost_weight: weight of the cost in the loss, in degrees of travel error per second.
         elevation_weight: weight of the elevation error in the loss; the travel error has weight 1.
+        pitch_penalty: penalty in 1/(s rad²) of the squared pitch beyond `SAFE_PITCH`; a crash ends a flight's errors.
+        memory: whether the cell remembers; without, only the last action, a feature, comes from the past.
         seed: of the initial weights and of the helicopters.
 
     Raises:
@@ -242,6 +290,8 @@ class APG:
         max_grad_norm: float = 1.0,
         cost_weight: float = 0.5,
         elevation_weight: float = 1.0,
+        pitch_penalty: float = PITCH_PENALTY,
+        memory: bool = True,
         seed: int = 0,
     ) -> None:
         policies = [policy] if isinstance(policy, ResidualPolicy) else list(policy)
@@ -256,13 +306,17 @@ class APG:
             "max_grad_norm": max_grad_norm,
             "cost_weight": cost_weight,
             "elevation_weight": elevation_weight,
+            "pitch_penalty": pitch_penalty,
+            "memory": memory,
             "seed": seed,
         }
         torch.manual_seed(seed)
         self.fleets, self.seed, self.max_grad_norm = fleets, seed, max_grad_norm
         self.envs, self.residual = fleets[0], policies[0]
-        self.tasks = [task_of(policy, own, cost_weight, elevation_weight) for policy, own in zip(policies, fleets)]
-        self.policy = Actor(len(FLIGHT_FEATURES) + self.tasks[0].preview.shape[1], hidden)
+        self.tasks = [
+            task_of(policy, own, cost_weight, elevation_weight, pitch_penalty) for policy, own in zip(policies, fleets)
+        ]
+        self.policy = Actor(len(FLIGHT_FEATURES) + self.tasks[0].preview.shape[1], hidden, memory)
         self.optimizer = torch.optim.Adam(self.policy.parameters(), lr=learning_rate)
         self.rollout = Rollout(max(self.tasks, key=lambda task: len(task.v_ref)), hidden)
         self.device = torch.device("cpu")

@@ -34,7 +34,7 @@ from heli_gym.task import TOLERANCE
 LANES = 128  # flights in a batch
 SUBSTEPS = 2  # integration steps in a control period
 SAFE_PITCH = 1.1  # rad, pitch from which on a penalty applies; the flight ends at the stop
-PITCH_PENALTY = 20.0  # 1/(s rad²), penalty of the squared excess pitch
+PITCH_PENALTY = 20.0  # 1/(s rad²), usual penalty of the squared excess pitch
 LEAST_VOLTAGE = 0.5  # V; below it, the slope of the inverse of (2), infinite at zero, stays constant
 N_FLIGHT_FEATURES = 10  # features that depend on the flight: tracking error (6), base voltages (2), last correction (2)
 
@@ -82,6 +82,7 @@ class Settings(NamedTuple):
     base_low: float  # V, limits of the base voltages before the correction
     base_high: float
     exponent: float  # nominal, of the thrust map
+    pitch_penalty: float = PITCH_PENALTY
 
 
 class Weights(NamedTuple):
@@ -533,7 +534,7 @@ def fly(
         sums[0, i] += on * travel * travel
         sums[1, i] += on * elevation * elevation
         sums[2, i] += on * s.period * beyond
-        sums[3, i] += on * s.period * PITCH_PENALTY * over * over
+        sums[3, i] += on * s.period * s.pitch_penalty * over * over
         next_alive[i] = on if abs(q3) <= s.pitch_limit else 0.0
         for axis in range(3):
             counts = body[COUNTS + axis, i]
@@ -561,7 +562,7 @@ def fly_adjoint(
         over = max(abs(q3) - SAFE_PITCH, 0.0)
         weight = s.period * slopes[2, i]
         on_pitch = s.cost_weight * excess_slope(q3, s.pitch_min, s.pitch_max)
-        on_pitch += 2.0 * PITCH_PENALTY * (over if q3 > 0.0 else -over)
+        on_pitch += 2.0 * s.pitch_penalty * (over if q3 > 0.0 else -over)
         # rate filter
         gain = (1.0 - s.rate_decay) / s.period
         d1 = d_measured[0, i] + gain * d_measured[1, i]
@@ -612,7 +613,26 @@ def command_adjoint(settings: Any, base: Any, action: Any, alive: Any, u: Any, w
 
 def settings_of(a: Any) -> Any:
     """Unpack the array of `Settings` to a tuple."""
-    return a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12], a[13], a[14], a[15], a[16]
+    return (
+        a[0],
+        a[1],
+        a[2],
+        a[3],
+        a[4],
+        a[5],
+        a[6],
+        a[7],
+        a[8],
+        a[9],
+        a[10],
+        a[11],
+        a[12],
+        a[13],
+        a[14],
+        a[15],
+        a[16],
+        a[17],
+    )
 
 
 # Elementwise part of the GRU cell.

@@ -77,6 +77,8 @@ class Args:
     mode: Literal["residual", "scratch"] = "residual"  # correct the base policy, or fly alone
     base: str = ""  # policy to correct; by default "feedforward+tvlqr@PLANT", the paper's with weights for the plant
     scale: float | None = None  # V, greatest correction; by default the amplifier's range, alone half of it
+    law: Literal["saturated", "sum"] = "saturated"  # of `residual.LAWS`
+    memory: bool = True  # APG: whether the network remembers
     feature_groups: tuple[str, ...] | None = None  # inputs of the agent, of `residual.FEATURE_GROUPS`
     privileged: bool = True  # PPO: the critic also reads true errors and the plant's draw
     objective: Literal["tracking", "environment"] = "tracking"  # travel, elevation and cost, or the full reward
@@ -95,6 +97,7 @@ class Args:
     max_grad_norm: float = 2.0  # APG: greatest norm of the clipped gradient
     cost_weight: float = 0.35  # APG: weight of the cost, in degrees of RMS error per second
     elevation_weight: float = 1.0  # APG: weight of the elevation error; the travel error has weight 1
+    pitch_penalty: float = 20.0  # APG: 1/(s rad²), penalty of the squared pitch beyond 63 degrees
     gamma: float = 0.99  # discount per control period
     gae_lambda: float = 0.97  # PPO: advantage estimate; travel reacts to a voltage after a second
     log_std: float = -2.7  # PPO: initial logarithm of the standard deviation of the exploration weights
@@ -165,7 +168,7 @@ def check(args: CompleteArgs) -> None:
     for name in ("learning_rate", "max_grad_norm"):
         if not (math.isfinite(getattr(args, name)) and getattr(args, name) > 0.0):
             raise ValueError(f"{name} = {getattr(args, name)}: must be a positive number")
-    for name in ("cost_weight", "elevation_weight", "log_std"):
+    for name in ("cost_weight", "elevation_weight", "pitch_penalty", "log_std"):
         if not math.isfinite(getattr(args, name)):
             raise ValueError(f"{name} = {getattr(args, name)}: must be a finite number")
     if args.base.partition("@")[0] not in POLICIES:
@@ -241,6 +244,8 @@ def run_folder(args: CompleteArgs) -> Path:
     for name in (
         *(group for group in DEFAULTS[args.algo]["feature_groups"] if group not in args.feature_groups),
         *([] if args.privileged else ["privileged"]),
+        *([] if args.memory else ["memory"]),
+        *([] if args.law == "saturated" else ["inner-saturation"]),
     ):
         method += f"-without-{name}"
     if args.reference == DRAWN:
@@ -289,6 +294,7 @@ def make_residual_policy(args: CompleteArgs, reference: Any, network: Any = None
         CONTROL_PERIOD,
         reference.rig.voltage_limits,
         feature_groups=args.feature_groups,
+        law=args.law,
         ahead=apg.AHEAD if args.algo == "apg" else AHEAD,
     )
 
@@ -319,6 +325,8 @@ def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
             max_grad_norm=args.max_grad_norm,
             cost_weight=args.cost_weight,
             elevation_weight=args.elevation_weight,
+            pitch_penalty=args.pitch_penalty,
+            memory=args.memory,
             seed=args.seed,
         )
         if args.init:
