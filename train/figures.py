@@ -1,6 +1,7 @@
 """`python -m heli_gym.train.figures`: draw the figures of the manual's page on learning into docs/.
 
-The figures are learning curves of stored runs and one flight with and without a learned correction.
+The figures are learning curves of stored runs, one flight with and without a learned correction, and how well its
+memory knows the plant's draw.
 """
 
 import json
@@ -15,10 +16,11 @@ from matplotlib.ticker import NullFormatter
 
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.residual import ResidualPolicy
-from heli_gym.baselines.evaluation.rollout import fly
+from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.storage import atomic_write
 from heli_gym.train.train import START_SPREAD_DEG, VALIDATION_SEED
+from heli_gym.vector_env import Heli3DOFVectorEnv
 
 PARTS = (("travel", lambda row: row["rms_error_deg"][0]), ("elevation", lambda row: row["rms_error_deg"][1]))
 
@@ -56,21 +58,82 @@ def learning_curves(runs: Mapping[str, Sequence[Path]]) -> Figure:
     return figure
 
 
+class Recording:
+    """Residual policy that records the voltages in V of its base, which must have no memory, and its hidden states."""
+
+    def __init__(self, policy: ResidualPolicy) -> None:
+        self.policy = policy
+        self.base: list[np.ndarray] = []
+        self.hidden: list[np.ndarray] = []
+
+    def reset(self, rng: np.random.Generator) -> None:
+        """Start a new record."""
+        self.policy.reset(rng)
+        self.base, self.hidden = [], []
+
+    def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
+        self.base.append(np.clip(self.policy.base(t, measurement), *self.policy.voltage_limits))
+        u = self.policy(t, measurement)
+        if self.policy.memory is not None and self.policy.memory.hidden is not None:
+            self.hidden.append(self.policy.memory.hidden)
+        return u
+
+
+DRAWN = {
+    "rotor lag": lambda plant: plant.rotors.lag,
+    "thrust loss": lambda plant: plant.rotors.thrust_loss,
+    "travel friction": lambda plant: plant.friction.viscous[0],
+    "elevation friction": lambda plant: plant.friction.viscous[1],
+    "pitch friction": lambda plant: plant.friction.viscous[2],
+}
+
+
+def parameters_in_memory(name: str, plant: str, seed: int, count: int = 512) -> Figure:
+    """How well a linear function of a recurrent network's hidden state gives each drawn parameter, over time.
+
+    Ridge regression on half of the flights; the figure has the coefficient of determination on the others.
+    """
+    envs = Heli3DOFVectorEnv(count, plant, start_spread_deg=START_SPREAD_DEG)
+    policy = make_policy(name, envs.reference_of(0))
+    assert isinstance(policy, ResidualPolicy)
+    recording = Recording(policy)
+    envs.reset(seed=seed)
+    plants = [envs.plant_of(i) for i in range(count)]
+    fly_many(envs, recording, seed)
+    steps = range(4, len(recording.hidden), 5)
+    half = count // 2
+    figure, axis = plt.subplots(figsize=(7.0, 3.6), layout="constrained")
+    for label, value in DRAWN.items():
+        drawn = np.array([value(one) for one in plants])
+        shares = [determination(recording.hidden[k].T, drawn, half) for k in steps]
+        axis.plot(envs.control_period * (np.array(steps) + 1), shares, label=label)
+    axis.set_xlabel("time (s)")
+    axis.set_ylabel("share of the variance explained")
+    axis.set_ylim(0.0, 1.0)
+    axis.set_xlim(0.0, envs.control_period * len(recording.hidden))
+    axis.grid(alpha=0.3)
+    axis.legend(fontsize=8)
+    return figure
+
+
+def determination(states: np.ndarray, values: np.ndarray, half: int, ridge: float = 1e-2) -> float:
+    """Coefficient of determination of a ridge regression of values (N,) on states (N, H), fitted on the first half."""
+    mean, value = states[:half].mean(axis=0), values[:half].mean()
+    known, new = states[:half] - mean, states[half:] - mean
+    matrix = known.T @ known + ridge * half * np.diag(known.var(axis=0)) + 1e-9 * np.eye(known.shape[1])
+    weights = np.linalg.solve(matrix, known.T @ (values[:half] - value))
+    missed = values[half:] - value - new @ weights
+    return float(1.0 - (missed**2).mean() / values[half:].var())
+
+
 def correction_in_flight(name: str, plant: str, seed: int, seconds: float = 4.0) -> Figure:
     """Errors and voltages at the start of a flight, with and without the correction of a named policy."""
     env = Heli3DOFEnv(plant, start_spread_deg=START_SPREAD_DEG)
     policy = make_policy(name, env.reference)
     assert isinstance(policy, ResidualPolicy)
-    base: list[np.ndarray] = []
-    observe = policy.observe
-
-    def recording_observe(t: float, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        u, features = observe(t, measurement)
-        base.append(np.clip(u, *policy.voltage_limits))
-        return u, features
-
-    policy.observe = recording_observe  # type: ignore[method-assign,assignment]
-    corrected = fly(env, policy, seed=seed)
+    recording = Recording(policy)
+    corrected = fly(env, recording, seed=seed)
+    base = recording.base
     alone = fly(env, policy.base, seed=seed)
     reference = env.reference(corrected.t)[0]
     figure, axes = plt.subplots(2, 2, figsize=(10.0, 5.0), sharex=True, layout="constrained")
@@ -104,6 +167,7 @@ def main(results: Path = Path("results"), docs: Path = Path("docs")) -> None:
     }
     figures = {
         "learning-curves": learning_curves(runs),
+        "learning-memory": parameters_in_memory("residual", "lab", VALIDATION_SEED),
         "learning-flight": correction_in_flight("residual", "lab", VALIDATION_SEED + 3),
     }
     for name, figure in figures.items():

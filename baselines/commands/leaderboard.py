@@ -53,7 +53,7 @@ from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, check_folder, read_json_object
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
-NOT_COMPARED = ("middle-voltage", "zero", "residual-rigid")
+NOT_COMPARED = ("middle-voltage", "zero", "residual-rigid", "residual-any")
 COMPARED = tuple(f"{name}@PLANT" if name in WEIGHTS else name for name in POLICIES if name not in NOT_COMPARED)
 SETTINGS = "settings.json"
 ON_A_PAGE = 6  # greatest number of policies

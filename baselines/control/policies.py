@@ -23,7 +23,7 @@ from heli_gym.baselines.control.scheduled import gain_scheduled
 from heli_gym.baselines.control.tracking import feedforward_tvlqr, hover_lqr, open_loop
 from heli_gym.baselines.control.weights import WEIGHTS, weights_of
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.rig import Rig, assumed_rig
+from heli_gym.rig import Rig, assumed_rig, find_rig, same_dynamics
 from heli_gym.trajectory import Trajectory
 from heli_gym.validation import is_number, real_array, shown
 
@@ -31,6 +31,13 @@ from heli_gym.validation import is_number, real_array, shown
 def load_policy(path: Any, reference: Trajectory, control_period: float, rig: Rig) -> Policy:
     """Load the learned policy at a path without suffix; its base policy comes from this registry."""
     return learned_policy(path, reference, control_period, rig, make_base=make_policy)
+
+
+def residual(reference: Trajectory, control_period: float, rig: Rig) -> Policy:
+    """Packaged learned correction for a rig: the network of the fleet on its rig, the one of `lab` on the paper's."""
+    return load_policy(
+        LEARNED / ("fleet" if same_dynamics(rig, find_rig("fleet")) else "lab"), reference, control_period, rig
+    )
 
 
 SAFE = "+safe"  # suffix of the name of a policy behind a `SafetyFilter`
@@ -49,7 +56,7 @@ POLICIES: dict[str, Callable[..., Policy]] = {
     "gain-scheduled": gain_scheduled,
     "flatness": flatness,
     "pd-cascade": pd_cascade,
-    "residual": partial(load_policy, LEARNED / "lab"),
+    "residual": residual,
     "residual-rigid": partial(load_policy, LEARNED / "rigid"),
     "hover-lqr": hover_lqr,
     "middle-voltage": middle_voltage,

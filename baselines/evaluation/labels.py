@@ -20,6 +20,9 @@ LABELS = {
     "feedforward+tvlqr": Label("paper's controller", BLUE, "Table I, rates"),
     "open-loop": Label("open loop", GREEN, "Table I"),
     "residual": Label("residual policy", PINK, "as its base; a network trained on draws of lab"),
+    "residual-any": Label(
+        "residual policy (any maneuver)", PINK, "as its base; a network trained on draws of lab and maneuvers"
+    ),
     "residual-rigid": Label("residual policy (rigid)", PINK, "as its base; a network trained on draws of rigid"),
     "kalman-lqr": Label("Kalman LQR", ORANGE, "Table I, middle lag, delay, friction; angles only"),
     "hover-lqr": Label("hover LQR", SKY, "Table I, rates"),

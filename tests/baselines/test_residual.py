@@ -17,13 +17,16 @@ from heli_gym.baselines.control.residual import (
     load_learned,
     save_learned,
 )
+from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many
-from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.env import Heli3DOFEnv, find_reference, reference_for
+from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 REFERENCE = find_reference("travel-360")
 SHORT = find_reference("climb-7.5")
 START = SHORT.x[:, 0]
+VALIDATION_SEED = HELD_OUT_SEED // 2
 RESULTS = Path(__file__).parents[2] / "results"
 
 
@@ -85,7 +88,7 @@ def test_a_reset_forgets_the_last_flight_and_without_one_it_is_remembered(base):
     assert np.abs(np.array(remembering) - first).max() > 1e-6
 
 
-@pytest.mark.parametrize("plant", ["lab", "rigid"])
+@pytest.mark.parametrize("plant", ["lab", "rigid", "fleet"])
 def test_the_policies_of_the_package_are_those_of_the_first_seed(plant):
     (settings, shipped), (other, first) = (
         load_learned(path) for path in (LEARNED / plant, RESULTS / plant / "residual/0/best")
@@ -93,6 +96,19 @@ def test_the_policies_of_the_package_are_those_of_the_first_seed(plant):
     assert settings == other and settings.plant == plant
     for a, b in zip((*shipped[:4], *shipped.head.weights), (*first[:4], *first.head.weights)):
         assert_array_equal(a, b)
+
+
+def test_on_the_fleets_rig_the_correction_is_the_fleets_and_helps():
+    reference = reference_for("travel-360", "fleet")
+    envs = Heli3DOFVectorEnv(8, "fleet", reference, start_spread_deg=5.0, rig="fleet")
+    policy = make_policy("residual", reference)
+    assert policy.network.size == 64 and policy.scale == 20.0
+
+    def travel_error(policy):
+        flights = fly_many(envs, policy, VALIDATION_SEED)
+        return np.mean([flight_metrics(f, reference, envs.voltage_limits).rms_error_deg[0] for f in flights])
+
+    assert travel_error(policy) < 0.5 * travel_error(policy.base)
 
 
 def test_a_recurrent_policy_flies_many_as_it_flies_each_and_forgets_at_a_reset():
