@@ -370,7 +370,7 @@ class Heli3DOFEnv(gym.Env):
             raise gym.error.ResetNeeded("there is nothing to draw yet: call reset before render")
         if self.renderer is None:
             self.renderer = Renderer()
-        scene = render_state(self.simulation, 0)
+        scene = render_state(self.simulation, 0, self.rig)
         if self.render_mode == "rgb_array":
             return self.renderer.frame(scene).view(Picture)
         self.renderer.show(scene)
@@ -463,8 +463,8 @@ def with_episode_steps(spec: EnvSpec | None, steps: int) -> EnvSpec | None:
     return spec if spec is None or spec.max_episode_steps is not None else replace(spec, max_episode_steps=steps)
 
 
-def render_state(simulation: Simulation, j: int) -> RenderState:
-    """State, reference, limits and annotations of the helicopter j, for the renderer."""
+def render_state(simulation: Simulation, j: int, rig: Rig) -> RenderState:
+    """State, reference, limits and annotations of the helicopter j of a rig, for the renderer."""
     step, last, first = (int(simulation.rows(row, 1)[0, j]) for row in (STEP, LAST, REFERENCE_ROW))
     reference = simulation.reference_of(j)
     return RenderState(
@@ -478,6 +478,7 @@ def render_state(simulation: Simulation, j: int) -> RenderState:
         limits=reference.limits,
         voltage_limits=simulation.voltage_limits,
         pitch_limit=simulation.pitch_limit,
+        rig=rig,
     )
 
 

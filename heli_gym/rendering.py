@@ -6,6 +6,7 @@ geometry above it consists of pure functions. World coordinates, in m, have the 
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -13,15 +14,17 @@ import gymnasium as gym
 import numpy as np
 from numpy.typing import ArrayLike
 
-from heli_gym.model import thrust
+from heli_gym.model import hover_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, Limits
+from heli_gym.rig import PAPER as PAPER_RIG
+from heli_gym.rig import Rig
 from heli_gym.rigid_body import RigidBodyParameters, solve_rigid_body
 
 RIG = solve_rigid_body("A")
 FLOOR = -0.7  # m, below the pivot, as in `rigid_body.mjcf`
 ROTOR = 0.115  # m, radius
 ROTOR_HEIGHT = 0.035  # m, above the bar that carries the motors
-ARROW = 0.36  # m per N of thrust
+ARROW = 0.109  # m, of the arrow of a rotor's thrust at hover
 
 Colour = tuple[int, int, int]
 SKY, PLATE, GRID, MARK, BASE = (246, 248, 250), (233, 237, 242), (221, 226, 233), (186, 195, 205), (196, 204, 213)
@@ -47,8 +50,28 @@ class RenderState(NamedTuple):
     limits: Limits = Limits()  # of the plan
     voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
     pitch_limit: float = PITCH_STOP  # where the flight ends
+    rig: Rig = PAPER_RIG  # whose thrust map and signs of angles the picture shows
     title: str = ""
     note: str = ""  # below the title, as a warning
+
+
+def in_space(scene: RenderState) -> RenderState:
+    """The scene with the paper's signs of the angles, for a rig whose coefficients imply others.
+
+    Thrust then lifts the arm (b2 < 0), more thrust in front raises the front rotor (b3 > 0), and a raised front rotor
+    turns the arm clockwise (b1 < 0).
+    """
+    p = scene.rig.parameters
+    pitch, elevation = (1.0 if p.b3 > 0.0 else -1.0), (1.0 if p.b2 < 0.0 else -1.0)
+    travel = pitch if p.b1 < 0.0 else -pitch
+    signs = np.repeat((travel, elevation, pitch), 2)
+    pitches = sorted(pitch * limit for limit in scene.limits.pitch)
+    return scene._replace(
+        state=signs * scene.state,
+        reference=signs * scene.reference,
+        travel_start=travel * scene.travel_start,
+        limits=replace(scene.limits, pitch_min=pitches[0], pitch_max=pitches[1]),
+    )
 
 
 # Geometry
@@ -347,6 +370,7 @@ class Renderer:
             self.pygame.display.quit()
 
     def _picture(self, scene: RenderState) -> Any:
+        shown, scene = scene, in_space(scene)
         still = scene.limits, scene.voltage_limits, scene.pitch_limit
         if self.still != still:
             self.background, self.still = self._background(scene), still
@@ -357,7 +381,7 @@ class Renderer:
         self.canvas.set_clip(None)
         self._needles(scene)
         self._bars(scene)
-        self._words(scene)
+        self._words(shown)
         return self.pygame.transform.smoothscale(self.canvas, self.size)
 
     def _background(self, scene: RenderState) -> Any:
@@ -405,12 +429,14 @@ class Renderer:
         """Draw the rig, the blur of its rotors in proportion to their voltages, and their thrusts as arrows."""
         at = pose(scene.state)
         flats: list[tuple[np.ndarray, tuple]] = []
-        for rotor, u, colour in zip(rotors(at).T, scene.voltage, (FRONT, BACK)):
+        lift = float(hover_input(0.0, scene.rig.parameters)[0])
+        shares = scene.rig.thrust(np.array(scene.voltage, dtype=float)) / (0.5 * lift)
+        for rotor, u, thrust, colour in zip(rotors(at).T, scene.voltage, shares.tolist(), (FRONT, BACK)):
             up = at.body[:, 2]
             hub = rotor + ROTOR_HEIGHT * up
             opacity = 30 + round(120 * share(u, scene.voltage_limits))
             flats.append((disc(at, hub, ROTOR - 0.004), (*colour, opacity)))
-            length = ARROW * float(thrust(u))
+            length = ARROW * thrust
             if abs(length) > 0.01:
                 flats.append((arrow(hub, length * up, EYE), colour))
         self._solids(self.canvas, join(parts()["post"], helicopter(at)), flats)

@@ -290,7 +290,7 @@ class Heli3DOFVectorEnv(VectorEnv):
             raise gym.error.ResetNeeded("there is nothing to draw yet: call reset before render")
         if self.renderer is None:
             self.renderer = Renderer()
-        return tuple(self.renderer.frame(render_state(self.simulation, j)) for j in range(self.num_envs))
+        return tuple(self.renderer.frame(render_state(self.simulation, j, self.rig)) for j in range(self.num_envs))
 
     def close_extras(self, **kwargs: Any) -> None:
         """Free the renderer."""

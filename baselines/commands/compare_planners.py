@@ -32,6 +32,7 @@ from heli_gym.baselines.planning.planner import FASTEST, plan, plan_fastest
 from heli_gym.baselines.planning.spline import easy_duration
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.model import dynamics, hover_input, virtual_input
+from heli_gym.on_rig import plant_on_rig
 from heli_gym.parameters import Limits
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.rig import PAPER, Rig, find_rig
@@ -40,6 +41,7 @@ from heli_gym.trajectory import Maneuver, Trajectory
 
 Part = Literal["robustness", "shortest", "trade-off", "methods", "reserve"]
 
+PITCH_TOLERANCE = 1e-4  # rad; within a sample, a thrust map bends the linear voltages
 TO_SPARE = 1.1  # times collocation's shortest duration
 DURATIONS = 0.8, 2.0  # range of random durations, times collocation's shortest
 HOVER_MARGIN = 0.05  # least distance of hover from both ends of the thrust window, as a share of it
@@ -106,7 +108,7 @@ def meets_its_limits(maneuver: Maneuver, trajectory: Trajectory) -> bool:
         np.abs(flown[:, -1] - [travel, 0.0, elevation, 0.0, 0.0, 0.0]).max() <= ARRIVAL_TOLERANCE
         and (flown[:, 0] == [maneuver.start[0], 0.0, maneuver.start[1], 0.0, 0.0, 0.0]).all()
         and limits.u_min - LIMIT_TOLERANCE <= trajectory.u.min() <= trajectory.u.max() <= limits.u_max + LIMIT_TOLERANCE
-        and limits.pitch_min - LIMIT_TOLERANCE <= flown[4].min() <= flown[4].max() <= limits.pitch_max + LIMIT_TOLERANCE
+        and limits.pitch_min - PITCH_TOLERANCE <= flown[4].min() <= flown[4].max() <= limits.pitch_max + PITCH_TOLERANCE
         and times[-1] == maneuver.duration
     )
 
@@ -216,13 +218,15 @@ def trade_off(args: Args, console: Console) -> None:
     for u_min, u_max in track(WINDOWS, "trade-off", console=console):
         for degrees in PITCH_LIMITS_DEG:
             pitch = math.radians(degrees)
+            if pitch > rig.pitch_limit + 1e-9:
+                continue
             u = scale_window(rig, (u_min, u_max))
             maneuver = Maneuver(duration=60.0, limits=Limits(*u, -pitch, pitch), rig=rig)
             trajectory, _ = time_planner(plan_fastest, maneuver)
             rows.append(
                 {
-                    "u_min": u_min,
-                    "u_max": u_max,
+                    "u_min": u[0],
+                    "u_max": u[1],
                     "pitch limit": degrees,
                     "spline": math.nan if trajectory is None else trajectory.duration,
                     "collocation": shortest_known(maneuver),
@@ -239,7 +243,8 @@ def trade_off(args: Args, console: Console) -> None:
 def draw_trade_off(rows: list[dict[str, Any]]) -> Any:
     """Figure of `trade_off`."""
     figure, axes = figures.single_panel("pitch limit (deg)", "shortest duration (s)")
-    for (u_min, u_max), color in zip(WINDOWS, figures.FLOWN):
+    windows = dict.fromkeys((row["u_min"], row["u_max"]) for row in rows)
+    for (u_min, u_max), color in zip(windows, figures.FLOWN):
         window = [row for row in rows if (row["u_min"], row["u_max"]) == (u_min, u_max)]
         pitch = [row["pitch limit"] for row in window]
         axes.plot(pitch, [row["spline"] for row in window], color=color, label=f"{u_min:g} to {u_max:g} V")
@@ -290,8 +295,14 @@ def reserve(args: Args, console: Console) -> None:
         (f"{share:.0%} more time", plan(replace(requested, duration=(1.0 + share) * shortest), "spline"))
         for share in MORE_TIME
     ]
+    plants = ["lab", "rigid"]
+    try:
+        plant_on_rig("rigid", requested.rig)
+    except ValueError as error:
+        plants.remove("rigid")
+        console.print(str(error))
     for name, trajectory in track(plans, "reserve", console=console):
-        for plant in ("lab", "rigid"):
+        for plant in plants:
             flown = flights(trajectory, plant, args.draws)
             rows.append({"reserve": name, "duration (s)": trajectory.duration, "plant": plant, **flown})
     write_csv(args.out / "reserve.csv", rows)

@@ -14,6 +14,7 @@ from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.rendering import Renderer, RenderState
+from heli_gym.rig import PAPER, same_dynamics
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.trajectory import Trajectory
 
@@ -25,7 +26,8 @@ LAST = 2.0  # s, duration of the last picture
 class Args:
     """Film policies side by side: flights along a reference from its exact start, on the same draw of a plant."""
 
-    policies: tuple[str, ...] = ("feedforward+tvlqr", "residual")  # policies, from left to right
+    policies: tuple[str, ...] = ("feedforward+tvlqr", "residual")
+    """policies, from left to right; on another rig than the paper's, kalman-lqr replaces residual by default"""
     plant: str = "lab"  # plant to fly: nominal, lab or rigid
     reference: str = "travel-360"  # a packaged reference, or an .npz file of heli-plan
     rig: str = "paper"  # rig: a name, or a .toml file
@@ -70,6 +72,7 @@ def render_state_at(flight: Trajectory, env: Heli3DOFEnv, t: float, title: str) 
         limits=reference.limits,
         voltage_limits=env.voltage_limits,
         pitch_limit=env.pitch_limit,
+        rig=env.rig,
         title=title,
         note=f"ended: pitch beyond {math.degrees(env.pitch_limit):.0f}°" if over else "",
     )
@@ -121,9 +124,11 @@ def run(args: Args) -> None:
     check_folder("out", args.out.parent)
     Renderer(args.width)
     env = Heli3DOFEnv(args.plant, reference_for(args.reference, args.rig, args.force), rig=args.rig)
+    names = args.policies
+    if names == Args.policies and not same_dynamics(env.rig, PAPER):  # which the network was not trained for
+        names = ("feedforward+tvlqr", "kalman-lqr")
     policies = {
-        name: make_policy(name, env.reference, env.control_period, voltage_limits=env.voltage_limits)
-        for name in args.policies
+        name: make_policy(name, env.reference, env.control_period, voltage_limits=env.voltage_limits) for name in names
     }
     announce_replaced("heli-film", args.out)
     flights = {name: fly(env, policy, seed=args.seed) for name, policy in policies.items()}

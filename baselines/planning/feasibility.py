@@ -18,6 +18,7 @@ from heli_gym.validation import is_number, shown
 ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s, from the end of the replayed plan to the goal, per turn of travel
 LONGEST_PLAN, FARTHEST_GOAL = 1e4, 1e5  # s and rad, largest accepted maneuver
 LIMIT_TOLERANCE = 1e-6  # V and rad
+JUMP = 1e-6  # s, in which a plan's last voltages change to those of hover
 GROWTH = 8.0  # exponent of error growth in an unstable flight at which the replay restarts from the plan
 NEAR = 1e-3  # distance to a limit, as a share of the range, at which a voltage counts as on it
 LENGTHENING, ATTEMPTS = 1.4, 16  # factor on the duration per attempt to find a plan, and number of attempts
@@ -79,6 +80,8 @@ def followed_by_hover(trajectory: Trajectory, maneuver: Maneuver) -> Trajectory:
     if left <= 0.0:
         return trajectory
     rest = sample_times(replace(maneuver, duration=left))[1:]
+    # the voltages jump to those of hover, since a ramp over a sample would kick an agile pitch axis
+    rest = np.append(min(JUMP, 0.5 * rest[0]), rest)
     t = np.concatenate((trajectory.t, trajectory.duration + rest))
     t[-1] = maneuver.duration
     if maneuver.goal_state is not None:

@@ -3,6 +3,7 @@
 import math
 import subprocess
 import sys
+from dataclasses import replace
 
 import gymnasium as gym
 import mujoco
@@ -15,6 +16,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 import heli_gym
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.model import thrust
+from heli_gym.parameters import Limits
 from heli_gym.rendering import (
     ARROW,
     BACK,
@@ -42,8 +44,11 @@ from heli_gym.rendering import (
     travel_interval,
     tube,
 )
+from heli_gym.rig import PAPER as PAPER_RIG
+from heli_gym.rig import find_rig
 from heli_gym.rigid_body import mjcf
 
+HOVER_THRUST = 0.5 * 0.3946 / 0.6523  # N, of each rotor
 HOVER = RenderState((0.0,) * 6, (7.9, 7.9), (0.0,) * 6, (7.9, 7.9), 0.0, 10.0)
 ASTRAY = HOVER._replace(state=(0.8, 0.0, 0.1, 0.0, 0.4, 0.0), voltage=(11.5, 6.0), time=4.0, title="a title")
 ANGLES = np.random.default_rng(5).uniform(-1.0, 1.0, (50, 3)) * (math.pi, 1.2, 1.5)
@@ -223,7 +228,7 @@ def test_everything_in_a_scene_is_shown(renderer, changes):
 
 def test_an_arrow_is_where_the_thrust_acts(renderer):
     at = pose(HOVER.state)
-    middle = rotors(at) + (ROTOR_HEIGHT + 0.4 * ARROW * float(thrust(7.9))) * at.body[:, 2:]
+    middle = rotors(at) + (ROTOR_HEIGHT + 0.4 * ARROW * float(thrust(7.9)) / HOVER_THRUST) * at.body[:, 2:]
     columns, rows = (project(middle, renderer.camera)[0] / OVERSAMPLING).astype(int)
     picture = renderer.frame(HOVER).astype(int)
     for row, column, colour in zip(rows, columns, (FRONT, BACK)):
@@ -235,6 +240,27 @@ def test_arrows_grow_with_the_voltage(renderer):
     for colour in (FRONT, BACK):
         areas = [seen(picture, colour, within=4) for picture in view]
         assert areas == sorted(set(areas))
+
+
+def test_a_rig_with_other_signs_is_drawn_as_the_papers_in_the_same_position(renderer):
+    p = PAPER_RIG.parameters
+    other = replace(PAPER_RIG, name="other", parameters=p._replace(a2=-p.a2, b1=p.b1, b2=-p.b2, b3=-p.b3))
+    state, reference = np.array((0.4, 0.0, 0.1, 0.0, 0.3, 0.0)), np.array((0.5, 0.0, 0.05, 0.0, 0.2, 0.0))
+    signs = np.array((-1.0, 1.0, -1.0, 1.0, -1.0, 1.0))
+    scene = HOVER._replace(state=state, reference=reference, limits=Limits(1.0, 11.0, -0.4, 0.8))
+    same = scene._replace(
+        state=signs * state, reference=signs * reference, limits=Limits(1.0, 11.0, -0.8, 0.4), rig=other
+    )
+    above = slice(0, int(0.75 * renderer.size[1]))  # without the readouts, which have the rig's own numbers
+    assert_array_equal(renderer.frame(scene)[above], renderer.frame(same)[above])
+
+
+def test_at_hover_the_arrows_of_every_rig_are_equally_long(renderer):
+    areas = []
+    for rig in (PAPER_RIG, find_rig("ntnu"), find_rig("quanser")):
+        scene = HOVER._replace(voltage=tuple(rig.hover_voltage()), voltage_limits=rig.voltage_limits, rig=rig)
+        areas.append([seen(renderer.frame(scene)[:270], colour, within=4) for colour in (FRONT, BACK)])
+    assert_allclose(areas[1:], [areas[0]] * 2, rtol=0.05)
 
 
 def test_the_ghost_is_seen_only_off_the_reference(renderer):
