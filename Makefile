@@ -8,10 +8,12 @@ BIN := $(VENV)/bin
 export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
-SEEDS := 0 1 2 3 4 5 6 7 8 9
+SEEDS ?= 0 1 2
 TUNED := feedforward+tvlqr lqi lag-lqr lag-lqi kalman-lqr
 TRAIN = $(BIN)/heli-train --resume
 METHOD := apg-feedforward+tvlqr
+ON_FLEET := feedforward+tvlqr hover-lqr lqi lag-lqr lag-lqi kalman-lqr gain-scheduled flatness pd-cascade linear-mpc \
+  l1-adaptive adaptive-lqr adaptive-mpc
 
 .PHONY: demo test test-slow lint docs build/types reproduce clean
 
@@ -38,9 +40,13 @@ build/types:
 	rm -rf $@ && mkdir -p $@/heli_gym
 	ln -s $(CURDIR)/heli_gym/* $(CURDIR)/baselines $(CURDIR)/train $@/heli_gym
 
-# Each seed of lab learns in two stages, and its network begins that of rigid.
+# Each seed of lab learns in two stages, and its network begins that of rigid. Then the fleet, one policy for any
+# maneuver, and the ablations.
+ANY := out/train/lab/$(METHOD)@lab-any-maneuver/0/best.json
+SHORT := --steps 5760000 --cell 64 --out out/ablation
+
 reproduce: $(VENV)/dev
-	@echo "ten searches for weights, 30 training runs, two tables: some two hours and a quarter of one idle core; may be interrupted"
+	@echo "ten searches for weights, 21 training runs, four tables: some two hours of one idle core; may be interrupted"
 	for plant in lab rigid; do \
 	  for policy in $(TUNED); do \
 	    $(BIN)/heli-tune --policy $$policy --plants $$plant --objective tracking \
@@ -54,10 +60,25 @@ reproduce: $(VENV)/dev
 	  $(TRAIN) --seed $$seed --plant rigid --init "out/train/lab/$(METHOD)@lab-initialised/$$seed/best.json" \
 	    --steps 24000000 --out out/train || exit 1; \
 	done
+	$(TRAIN) --plant fleet --rig fleet --cell 64 --steps 24000000 --out out/first
+	$(TRAIN) --plant fleet --rig fleet --cell 64 --init out/first/fleet.fleet/$(METHOD)/0/best.json \
+	  --steps 36000000 --learning-rate 2e-3 --out out/train
+	$(TRAIN) --reference drawn --out out/train
+	for seed in 0 1 2; do \
+	  $(TRAIN) --seed $$seed $(SHORT) && $(TRAIN) --seed $$seed $(SHORT) --no-memory && \
+	  $(TRAIN) --seed $$seed $(SHORT) --law sum && \
+	  $(TRAIN) --seed $$seed $(SHORT) --feature-groups error voltages || exit 1; \
+	done
+	$(TRAIN) --algo ppo --steps 5760000 --out out/ablation
 	for plant in lab rigid; do \
 	  $(BIN)/heli-results --plant $$plant --methods "out/train/$$plant/$(METHOD)@$$plant-initialised" \
 	    --policies feedforward+tvlqr $(TUNED:%=%@PLANT) adaptive-mpc --oracle 20 --out out/results || exit 1; \
 	done
+	$(BIN)/heli-results --plant fleet --rig fleet --methods out/train/fleet.fleet/$(METHOD)-initialised \
+	  --against feedforward+tvlqr --policies $(ON_FLEET) --out out/results
+	$(BIN)/heli-results --methods out/ablation/lab/* --policies feedforward+tvlqr@PLANT --out out/results/ablation
+	$(BIN)/python -m heli_gym.train.maneuvers --out out/results \
+	  --policies feedforward+tvlqr@lab kalman-lqr@lab adaptive-mpc residual "$(ANY)"
 
 clean:
 	rm -rf $(VENV) out build dist site *.egg-info

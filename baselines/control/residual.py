@@ -25,6 +25,7 @@ from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.rig import PAPER, Rig, check_same_rig
 from heli_gym.storage import atomic_write, read_json_object
 from heli_gym.task import TOLERANCE, control_grid
+from heli_gym.thrust_map import PowerCurve
 from heli_gym.trajectory import Trajectory
 from heli_gym.validation import is_number
 
@@ -200,6 +201,16 @@ class ResidualPolicy:
         return u
 
 
+def voltage_of(curve: PowerCurve, f: float) -> float:
+    """`curve.voltage` for one thrust f in N, without numpy."""
+    k = curve.k_plus if f >= 0.0 else curve.k_minus
+    if f == 0.0 or k == 0.0:
+        return 0.0
+    ratio = f / k
+    beyond = (math.sqrt(ratio) if curve.exponent == 2.0 else ratio ** (1.0 / curve.exponent)) + curve.dead_zone
+    return beyond if f >= 0.0 else -beyond
+
+
 class SingleStep:
     """Control step of one helicopter, several times faster than the general one and equal to it to rounding.
 
@@ -236,7 +247,7 @@ class SingleStep:
         self.gains = np.ascontiguousarray(base.gains.transpose(2, 0, 1))
         self.tolerance, self.last, self.period = np.array(TOLERANCE), T - 1, policy.control_period
         self.scale, (self.low, self.high) = policy.scale, policy.voltage_limits
-        self.k_plus, self.k_minus = base.rig.parameters.k_plus, base.rig.parameters.k_minus
+        self.front, self.back = base.rig.thrust_map.front, base.rig.thrust_map.back
         self.input = np.zeros(n + 10)
         self.hidden, self.features = self.input[:n], self.input[n:]
         self.gates, self.reset_gate, self.update = (gates := np.empty(2 * n)), gates[:n], gates[n:]
@@ -249,8 +260,7 @@ class SingleStep:
         return (
             isinstance(network, RecurrentNetwork)
             and isinstance(base, TrackingPolicy)
-            and base.rig.thrust_map.is_quadratic
-            and base.rig.parameters.k_minus != 0.0
+            and all(isinstance(curve, PowerCurve) for curve in (base.rig.thrust_map.front, base.rig.thrust_map.back))
             and tuple(group for group in FEATURE_GROUPS if group in policy.feature_groups) == SINGLE_GROUPS
             and policy.law == "saturated"
             and len(network.head.weights) == 1
@@ -262,17 +272,13 @@ class SingleStep:
         """Clear the memory of the last flight."""
         self.input[:] = 0.0
 
-    def voltage(self, f: float) -> float:
-        """Voltage in V for a thrust f in N by the inverse of (2)."""
-        return math.sqrt(f / self.k_plus) if f >= 0.0 else -math.sqrt(f / self.k_minus)
-
     def __call__(self, t: float, measurement: np.ndarray) -> np.ndarray:
         """Voltages (2,) in V for a measured state (6,)."""
         k = min(round(t / self.period), self.last)
         low, high, features = self.low, self.high, self.features
         error = measurement - self.x[k]
         v1, v2 = (self.v[k] - self.gains[k] @ error).tolist()
-        front, back = self.voltage(0.5 * (v1 + v2)), self.voltage(0.5 * (v1 - v2))
+        front, back = voltage_of(self.front, 0.5 * (v1 + v2)), voltage_of(self.back, 0.5 * (v1 - v2))
         np.divide(error, self.tolerance, out=features[:6])
         features[6] = (front - 0.5 * (low + high)) / (0.5 * (high - low))
         features[7] = (back - 0.5 * (low + high)) / (0.5 * (high - low))

@@ -14,7 +14,7 @@ from heli_gym.baselines import make_policy, plan, riccati_gains
 from heli_gym.baselines.commands.export import Args, export_files, load_controller, main
 from heli_gym.baselines.control.c_source import c_source
 from heli_gym.cli import CommandError
-from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.env import Heli3DOFEnv, find_reference, reference_for
 
 PERIOD = 0.02
 TRAVEL_360 = find_reference("travel-360")
@@ -96,6 +96,19 @@ def test_c_answers_as_python_does_on_any_thrust_map(name, rig, tmp_path):
         t = k * PERIOD
         y = reference(t)[0] + rng.normal(0.0, 0.02, 6)
         assert_allclose(c_policy(t, y), np.clip(policy(t, y), *rig.voltage_limits), rtol=0.0, atol=1e-9)
+
+
+@needs_cc
+def test_c_flies_the_correction_of_the_fleet_as_python_does(tmp_path):
+    reference = reference_for("travel-360", "fleet")
+    policy = make_policy("residual", reference, PERIOD)
+    c_policy, rng = CPolicy(policy, reference.rig, "double", tmp_path), np.random.default_rng(0)
+    for one in (policy, c_policy):
+        one.reset(rng)
+    for k in range(400):
+        y = reference(k * PERIOD)[0] + rng.normal(0.0, 0.02, 6)
+        expected = np.clip(policy(k * PERIOD, y), *reference.rig.voltage_limits)
+        assert_allclose(c_policy(k * PERIOD, y), expected, rtol=0.0, atol=1e-9)
 
 
 @needs_cc

@@ -119,9 +119,10 @@ def test_a_recurrent_policy_flies_many_as_it_flies_each_and_forgets_at_a_reset()
         assert_allclose(fly(env, policy, seed=7 + k).x, flight.x, atol=1e-6)
 
 
-def test_the_step_of_one_helicopter_is_that_of_many_even_far_from_the_reference():
+@pytest.mark.parametrize("rig", ["paper", "fleet"])
+def test_the_step_of_one_helicopter_is_that_of_many_even_far_from_the_reference(rig):
     rng = np.random.default_rng(0)
-    alone, together = (make_policy("residual", REFERENCE) for _ in range(2))
+    alone, together = (make_policy("residual", reference_for("travel-360", rig)) for _ in range(2))
     for k in range(30):
         measurement = together.x[:, k] + rng.standard_normal(6) * (2.0 if k < 10 else 0.05)
         u, both = alone(0.02 * k, measurement), together(0.02 * k, measurement[:, None])
