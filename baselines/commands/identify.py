@@ -172,10 +172,9 @@ def run(args: Args) -> None:
     rig: dict[str, Any] = {}
     try:
         identified = model.rig(name)
-        rig = {"name": name, "toml": identified.to_toml()}
+        rig, why = {"name": name, "toml": identified.to_toml()}, None
     except ValueError as error:
-        if args.out:
-            raise ValueError(f"out = {str(args.out)!r}: the model makes no rig that hovers: {error}") from error
+        identified, why = None, error
     results = report(logs, model, validations, rig)
     ablation = None
     if args.ablation:
@@ -184,6 +183,8 @@ def run(args: Args) -> None:
         with atomic_write(args.json) as file:
             file.write((json.dumps(results, indent=1) + "\n").encode())
     if args.out:
+        if identified is None:
+            raise ValueError(f"out = {str(args.out)!r}: the model makes no rig that hovers: {why}") from why
         identified.save(args.out)
     console.print(parameter_table(model))
     for i, one in enumerate(model.free):

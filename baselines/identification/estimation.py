@@ -11,8 +11,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.signal import lfilter, savgol_filter
 
-from heli_gym.baselines.identification.flight_log import FlightLog
+from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog
 from heli_gym.baselines.identification.measured_model import (
     NAMES,
     MeasuredParameters,
@@ -25,6 +26,7 @@ from heli_gym.rig import Rig, find_rig
 from heli_gym.thrust_map import PowerCurve, ThrustMap
 
 WINDOW = 2.0  # s
+MIN_WINDOW = 5.0  # s, airborne, to check signs
 EVERY = 5  # samples, decimation of the errors
 HUBER = 3.0  # standard deviations, above which the loss is linear
 LEAST_SIGMA = 2.0 * math.pi / np.array([8192, 4096, 4096]) / math.sqrt(12.0)  # rad, of rounding to encoder counts
@@ -61,6 +63,8 @@ EFFECTS: dict[str, dict[str, float]] = {
     "gyro": {"gyro": 0.0},
     "airflow": {"pitch_speed": 0.0},
 }
+CONTRADICTION = 0.1  # least partial correlation of the wrong sign; on measured flights it is 0.14 to 0.98, rightly
+STILL = 2e-3  # rad and V, range below which a signal does not move
 COEFFICIENTS = ("a1", "a2", "a3", "b1", "b2", "b3")
 
 
@@ -181,8 +185,8 @@ def identify(
         progress: function that is called with lines of text.
 
     Raises:
-        ValueError: for an empty list, different sample times, a share outside (0, 1], an unknown effect, or logs
-            without airborne windows.
+        ValueError: for an empty list, different sample times, a share outside (0, 1], an unknown effect, logs
+            without airborne windows, or an axis or rotor with the wrong sign.
     """
     logs = list(logs)
     if not logs:
@@ -197,6 +201,7 @@ def identify(
         if abs(log.sample_time - dt) > 1e-6 * dt:
             raise ValueError(f"logs: must have one sample time, but have {dt:g} s and {log.sample_time:g} s")
     problem = Shooting(logs, fit_share)
+    check_signs(logs)
     start = find_rig(start)
     centre = np.array(MeasuredParameters() if prior is None else prior, dtype=float)
     free = list(COEFFICIENTS)
@@ -244,6 +249,54 @@ def identify(
         (float(voltages.min()), float(voltages.max())),
         dt,
     )
+
+
+def check_signs(logs: Sequence[FlightLog]) -> None:
+    """Raise ValueError for signals that do not move, and for signs that the logs contradict.
+
+    Accelerations are compared with the causes that (3) gives them: pitch with the difference of the lagged voltages,
+    elevation with their sum, travel with the sine of pitch; by partial correlations, so that they need not be unique.
+    """
+    found = []
+    for log in logs:
+        up = log.airborne()
+        if up.sum() < MIN_WINDOW / log.sample_time:
+            continue
+        for name, values in (*zip(ANGLES, log.angles), ("a voltage", log.voltages)):
+            if np.ptp(values[..., up], axis=-1).max() < STILL:
+                raise ValueError(f"log {log.name!r}: {name} must change in flight, and is {values[..., up].max():g}")
+        n = 2 * max(round(0.1 / log.sample_time), 2) + 1
+        q, w = log.angles[:, up], log.rates()[:, up]
+        accelerations = savgol_filter(log.angles, n, 3, deriv=2, delta=log.sample_time, axis=1)[:, up]
+        keep = math.exp(-log.sample_time / MeasuredParameters().lag)
+        lagged = lfilter([1.0 - keep], [1.0, -keep], log.voltages, axis=1, zi=keep * log.voltages[:, :1])[0]
+        front, back = savgol_filter(lagged, n, 3, axis=1)[:, up]
+        found.append((
+            partial_correlation(accelerations[2], front - back, [q[2], w[2], w[0]]),
+            -partial_correlation(accelerations[1], front + back, [q[1], w[1], w[0] ** 2]),
+            -partial_correlation(accelerations[0], np.sin(q[2]), [w[0]]),
+        ))  # fmt: skip
+    if not found:
+        return
+    pitch, elevation, travel = np.mean(found, axis=0)
+    hints = []
+    if elevation < -CONTRADICTION:
+        hints.append("elevation must be positive down (signs: elevation = -1) and the voltages positive forwards")
+    if pitch < -CONTRADICTION and travel < -CONTRADICTION:
+        hints.append("pitch must rise where u_front is the larger voltage (signs: pitch = -1)")
+    elif pitch < -CONTRADICTION:
+        hints.append("pitch must rise where u_front is the larger voltage (exchange u_front and u_back)")
+    elif travel < -CONTRADICTION:
+        hints.append("positive pitch must accelerate travel negatively (signs: travel = -1)")
+    if hints:
+        raise ValueError(f"logs: by these flights, a sign is wrong: {'; '.join(hints)}")
+
+
+def partial_correlation(y: np.ndarray, x: np.ndarray, others: Sequence[np.ndarray]) -> float:
+    """Correlation of y (K,) and x (K,) once their regressions on the others and a constant are subtracted."""
+    A = np.column_stack([np.ones(len(y)), *others])
+    y, x = (values - A @ np.linalg.lstsq(A, values, rcond=None)[0] for values in (y, x))
+    return float(x @ y / math.sqrt((x @ x) * (y @ y) + 1e-300))
 
 
 def best_limit(

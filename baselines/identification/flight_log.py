@@ -30,6 +30,9 @@ LONGEST_GAP = 0.25  # s, longest gap to interpolate
 RATE_WINDOW = 0.21  # s, window of the polynomials for rates
 TABLE_MARGIN = math.radians(2.0)  # rad, above the table
 LEAST_TABLE = math.radians(15.0)  # rad; a log that starts higher starts in the air
+FROZEN = 0.5  # s, without any change
+OUTLIER = math.radians(6.0)  # of a sample from the median of five about it
+FASTEST_CHANGE = 40.0  # rad/s², of an angle's rate, which moves the median
 SETTLING = 0.5  # s after leaving the table, without validity of (3)
 
 
@@ -112,14 +115,25 @@ class FlightLog:
         return start if start > LEAST_TABLE else math.inf
 
     def airborne(self) -> np.ndarray:
-        """Mask (K,) of the samples above the table for at least SETTLING."""
-        up = np.asarray(self.angles[1] < self.table_elevation() - TABLE_MARGIN)
+        """Mask (K,) of the samples that have been above the table, and not frozen, for at least SETTLING."""
+        up = np.asarray(self.angles[1] < self.table_elevation() - TABLE_MARGIN) & ~self.frozen()
         if up.all():
             return up
         n = round(SETTLING / self.sample_time)
         contacts = np.concatenate((np.full(1, True), ~up)).cumsum()[1:]
         before = np.concatenate((np.full(min(n, len(up)), -1), contacts[: max(len(up) - n, 0)]))
         return up & (contacts == before)
+
+    def frozen(self) -> np.ndarray:
+        """Mask (K,) of the samples in pieces of FROZEN or longer in which nothing changes: no flight is so still."""
+        changes = np.abs(np.diff(np.vstack((self.angles, self.voltages))))
+        same = np.append((changes < 1e-9).all(axis=0), False)
+        edges = np.flatnonzero(np.diff(np.concatenate(([False], same, [False])).astype(int)))
+        mask = np.zeros(len(self), dtype=bool)
+        for first, last in zip(edges[::2], edges[1::2]):
+            if last - first >= FROZEN / self.sample_time:
+                mask[first : last + 1] = True
+        return mask
 
     def saturated(self, limits: tuple[float, float] = (-24.0, 24.0)) -> np.ndarray:
         """Mask (K,) of the samples with a voltage at or beyond the amplifier's limits in V."""
@@ -156,7 +170,7 @@ class FlightLog:
 
         The log is resampled on a uniform grid. Its step is `sample_time`; by default 10 ms, or the log's own step if
         that is longer. Angles are interpolated linearly; held voltages are averaged over each step. Rows with values
-        that are not finite are omitted; travel is unwrapped.
+        that are not finite are omitted, and angles that no rig can reach within a sample; travel is unwrapped.
 
         Args:
             path: of the file.
@@ -414,7 +428,9 @@ def on_even_grid(values: dict[str, np.ndarray], sample_time: float | None, path:
     grid = np.arange(math.floor((t[-1] - t[0]) / sample_time + 1e-6) + 1) * sample_time
     if len(grid) < 3:
         raise ValueError(f"{str(path)!r} must be longer than two samples of {sample_time:g} s")
-    angles = np.array([np.interp(grid, t - t[0], unwrapped_angle(values, name)) for name in ANGLES])
+    angles = np.array(
+        [np.interp(grid, t - t[0], without_outliers(t, unwrapped_angle(values, name))) for name in ANGLES]
+    )
     # increments of the integral of the held voltages are their means over the steps
     ends = np.append(t - t[0], t[-1] - t[0] + max(own, sample_time))
     voltages = np.empty((2, len(grid)))
@@ -423,6 +439,15 @@ def on_even_grid(values: dict[str, np.ndarray], sample_time: float | None, path:
         mean[:] = np.diff(np.interp(np.append(grid, grid[-1] + sample_time), ends, integral)) / sample_time
     references = {name: np.interp(grid, t - t[0], values[name]) for name in REFERENCES if name in values}
     return grid, angles, voltages, references
+
+
+def without_outliers(t: np.ndarray, angle: np.ndarray) -> np.ndarray:
+    """Interpolate single samples, or two in a row, that leave the median of five by more than an angle can move."""
+    if len(t) < 5:
+        return angle
+    middle = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(angle, 2, mode="edge"), 5), axis=1)
+    good = np.abs(angle - middle) <= OUTLIER + FASTEST_CHANGE * float(np.median(np.diff(t))) ** 2
+    return np.interp(t, t[good], angle[good]) if good.sum() >= 2 else angle
 
 
 def unwrapped_angle(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:

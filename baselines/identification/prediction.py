@@ -56,19 +56,22 @@ class FilteredLog:
         self.theta = model.theta.astype(complex)
         self.f = dual_thrusts(model.theta, log.voltages, log.sample_time, model.hover_voltage, np.arange(0))[0]
         dt, airborne = log.sample_time, log.airborne()
-        self.first = int(np.argmax(airborne))
+        edges = np.flatnonzero(np.diff(np.concatenate(([False], airborne, [False])).astype(int)))
+        self.runs = list(zip(edges[::2].tolist(), edges[1::2].tolist()))  # airborne, from first to before last
+        self.first = self.runs[0][0] if self.runs else 0
         self.decay = np.exp(-dt / 10.0**settings.times)
         q = np.zeros(N)
         q[1:6:2], q[6:9], q[9:] = 10.0**settings.rates, 10.0**settings.fading, 10.0**settings.lasting
         counts = np.array(model.start.encoder_counts)
         r = 4.0 * (2.0 * math.pi / counts) ** 2 / 12.0  # twice the standard deviation of rounding to one count
         self.z, self.innovations = np.zeros((N, len(log))), np.zeros((3, len(log)))
-        self.z[0:6:2, self.first] = log.angles[:, self.first]
-        self.z[1:6:2, self.first] = polynomial_ends(log)[0][:, self.first]
-        P = np.diag([1e-6, 0.05, 1e-6, 0.05, 1e-6, 0.1, 0.01, 0.01, 0.05, 0.02, 0.02, 0.1])
-        filter_kernel()(
-            log.angles, self.f, dt, self.theta, q, r, self.decay, self.z, self.innovations, P, self.first, len(log)
-        )
+        rates = polynomial_ends(log)[0]
+        for first, last in self.runs:
+            self.z[0:6:2, first], self.z[1:6:2, first] = log.angles[:, first], rates[:, first]
+            P = np.diag([1e-6, 0.05, 1e-6, 0.05, 1e-6, 0.1, 0.01, 0.01, 0.05, 0.02, 0.02, 0.1])
+            filter_kernel()(
+                log.angles, self.f, dt, self.theta, q, r, self.decay, self.z, self.innovations, P, first, last
+            )
 
     def predict(self, starts: np.ndarray, n: int) -> np.ndarray:
         """Predict angles (S, 3, n + 1) in rad from the samples starts (S,) on."""
@@ -312,7 +315,10 @@ def validate(
 
 def whiteness(filtered: FilteredLog) -> tuple[np.ndarray, np.ndarray]:
     """Autocorrelation (3,) of the innovations at one sample, and the time (3,) in s after which it is below 0.2."""
-    e = filtered.innovations[:, filtered.first + round(1.0 / filtered.log.sample_time) :]
+    first, last = max(filtered.runs, key=lambda run: run[1] - run[0], default=(0, 0))
+    e = filtered.innovations[:, first + round(1.0 / filtered.log.sample_time) : last]
+    if e.shape[1] < 10:
+        return np.full(3, np.nan), np.full(3, np.nan)
     e = e - e.mean(axis=1, keepdims=True)
     power = (e**2).mean(axis=1)
     lags = range(1, min(200, e.shape[1] - 1))
@@ -364,13 +370,18 @@ def report(
                     f"{h:.1f}": {name: np.degrees(values).tolist() for name, values in table.items()}
                     for h, table in v.rms.items()
                 },
-                "innovation_autocorrelation": v.whiteness.tolist(),
-                "innovation_correlation_time": v.settled.tolist(),
+                "innovation_autocorrelation": finite(v.whiteness),
+                "innovation_correlation_time": finite(v.settled),
             }
             for v in validations
         },
         "fit_share": model.fit_share,
     }
+
+
+def finite(values: np.ndarray) -> list[float | None]:
+    """List of the values; None for those that are not finite, which JSON does not have."""
+    return [value if math.isfinite(value) else None for value in values.tolist()]
 
 
 def pooled(validations: Sequence[Validation], horizon: float, predictor: str) -> list[float | None]:
@@ -397,7 +408,7 @@ def verdicts(validations: Sequence[Validation]) -> list[str]:
             v.rms[1.0]["model, shrunk"][axis] / v.rms[1.0].get("black box", np.full(3, np.inf))[axis] for v in moving
         ]
         ratio, box = float(np.median(ratios)), float(np.median(boxes))
-        settled = float(np.median([v.settled[axis] for v in moving]))
+        settled = float(np.nanmedian([v.settled[axis] for v in moving]))
         word = (
             "well predicted"
             if ratio <= (0.2, 0.4, 0.3)[axis]

@@ -7,6 +7,12 @@ import numpy as np
 
 from heli_gym.baselines.identification.flight_log import FlightLog
 from heli_gym.baselines.identification.measured_model import MeasuredParameters, simulation_kernel, thrust_kernel
+from heli_gym.plant import Plant
+from heli_gym.rig import Rig
+from heli_gym.simulation.layout import MEASURED, ROW
+from heli_gym.simulation.simulation import Simulation
+from heli_gym.task import to_action
+from heli_gym.trajectory import Trajectory
 
 COUNTS = (8192, 4096, 4096)  # encoders, per revolution
 BLOCK = 2  # samples per control period
@@ -19,6 +25,35 @@ def hover_of(parameters: MeasuredParameters, voltage: float) -> np.ndarray:
     difference = -(p.pitch_trim - p.a3 * math.sin(p.pitch_zero)) / p.b3
     f = np.array([0.5 * (total + difference) / (1.0 + p.mismatch), 0.5 * (total - difference) / (1.0 - p.mismatch)])
     return voltage * np.sign(f) * np.abs(f) ** (1.0 / p.exponent)
+
+
+class HoverController:
+    """PD control of pitch and PID control of elevation about hover, for excitation.
+
+    Args:
+        hover: V (2,), at which the rig hovers.
+        slope: rad/s² per V, of pitch by one voltage.
+        lift: rad/s² per V, of elevation by both voltages.
+        period: s.
+        limits: (min, max) in V.
+    """
+
+    def __init__(
+        self, hover: np.ndarray, slope: float, lift: float, period: float, limits: tuple[float, float]
+    ) -> None:
+        self.hover, self.slope, self.lift, self.period, self.limits = hover, slope, lift, period, limits
+        self.sums, self.smooth = 0.0, np.zeros(3)
+        self.last: np.ndarray | None = None
+
+    def __call__(self, measured: np.ndarray, references: tuple[float, float]) -> np.ndarray:
+        """Voltages (2,) in V from measured angles (3,) in rad and references of pitch and elevation in rad."""
+        pitch, elevation = references
+        rates = np.zeros(3) if self.last is None else (measured - self.last) / self.period
+        self.smooth, self.last = 0.7 * self.smooth + 0.3 * rates, measured
+        self.sums = float(np.clip(self.sums + 0.3 * self.period * (measured[1] - elevation), -1.0, 1.0))
+        difference = (4.0 * (pitch - measured[2]) - 2.8 * self.smooth[2]) / (2.0 * self.slope)
+        total = (1.2 * (measured[1] - elevation) + 1.6 * self.smooth[1] + self.sums) / self.lift
+        return np.clip(self.hover + np.array([total + difference, total - difference]), *self.limits)
 
 
 def simulate_log(
@@ -52,17 +87,10 @@ def simulate_log(
     u, angles = np.tile(hover[:, None], (1, n + 1)), np.empty((3, n + 1))
     z, f = np.zeros(9, dtype=complex), np.zeros((2, 2 * (n + 1) + 1), dtype=complex)
     y = np.empty((6, BLOCK + 1), dtype=complex)
-    sums, last, smooth = 0.0, None, np.zeros(3)
+    control = HoverController(hover, slope, lift, BLOCK * dt, (-24.0, 24.0))
     for k in range(0, n + 1, BLOCK):
         measured = quantise(z[0:6:2].real, counts, phase)
-        rates = np.zeros(3) if last is None else (measured - last) / (BLOCK * dt)
-        smooth = 0.7 * smooth + 0.3 * rates
-        last = measured
-        pitch, elevation = excitation(k * dt)
-        sums = float(np.clip(sums + 0.3 * BLOCK * dt * (measured[1] - elevation), -1.0, 1.0))
-        difference = (4.0 * (pitch - measured[2]) - 2.8 * smooth[2]) / (2.0 * slope)
-        total = (1.2 * (measured[1] - elevation) + 1.6 * smooth[1] + sums) / lift
-        u[:, k : k + BLOCK] = np.clip(hover + np.array([total + difference, total - difference]), -24.0, 24.0)[:, None]
+        u[:, k : k + BLOCK] = control(measured, excitation(k * dt))[:, None]
         stop = min(k + BLOCK, n + 1)
         # the thrusts follow from all voltages so far; only those of the last block are new
         first = max(0, k - round((10.0 * parameters.lag + parameters.delay) / dt) - 3)
@@ -73,6 +101,43 @@ def simulate_log(
         simulation_kernel()(z, f, k, dt, theta, block)
         angles[:, k:stop] = quantise(block[0:6:2, :-1].real, counts[:, None], phase[:, None])
         z[:6] = block[:, -1]
+    return FlightLog(np.arange(n + 1) * dt, angles, u, name=name)
+
+
+def simulate_plant(
+    plant: Plant,
+    rig: Rig,
+    excitation: Callable[[float], tuple[float, float]],
+    duration: float = 40.0,
+    dt: float = 0.01,
+    name: str = "simulated",
+) -> FlightLog:
+    """Simulate a flight of a drawn plant, by the simulation of the environments, under the control of `simulate_log`.
+
+    Args:
+        plant: without ranges, but with sensors, whose angles are logged.
+        rig: whose hover voltage, thrust slopes and amplifier the controller uses.
+        excitation: function of time in s that returns the references (pitch, elevation) in rad.
+        duration: s.
+        dt: s, sample time.
+        name: of the log.
+    """
+    hover, (low, high) = rig.hover_voltage(), rig.voltage_limits
+    slopes, p = rig.thrust_slope(hover), rig.parameters
+    lift, slope = abs(p.b2) * float(slopes.sum()), p.b3 * float(slopes.mean())
+    control = HoverController(hover, slope, lift, BLOCK * dt, (low, high))
+    n = round(duration / dt)
+    reference = Trajectory(np.array([0.0, duration + 1.0]), np.zeros((6, 2)), np.tile(hover[:, None], 2))
+    simulation = Simulation([plant], [reference], dt, (low, high), math.inf, hover=np.full(2, 0.5 * (low + high)))
+    simulation.reset(np.zeros(1, int), np.zeros((1, 6)))
+    block = simulation.blocks.reshape(-1, ROW)[:, 0]
+    u, angles = np.empty((2, n + 1)), np.empty((3, n + 1))
+    for k in range(n + 1):
+        angles[:, k] = block[MEASURED : MEASURED + 6 : 2]
+        if k % BLOCK == 0:
+            command = control(angles[:, k], excitation(k * dt))
+        u[:, k] = command
+        simulation.step(to_action(command, (low, high), np.full(2, 0.5 * (low + high)))[None])
     return FlightLog(np.arange(n + 1) * dt, angles, u, name=name)
 
 

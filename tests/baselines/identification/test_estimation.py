@@ -159,6 +159,37 @@ def test_bad_arguments_are_refused(known, arguments, message):
         identify(**({"logs": [known[2]]} | arguments))
 
 
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda a, u: (a * [[-1], [1], [1]], u), "signs: travel = -1"),
+        (lambda a, u: (a * [[1], [-1], [1]], u), "signs: elevation = -1"),
+        (lambda a, u: (a * [[1], [1], [-1]], u), "signs: pitch = -1"),
+        (lambda a, u: (a, u[::-1]), "exchange u_front and u_back"),
+        (lambda a, u: (a, -u), "voltages positive forwards"),
+        (lambda a, u: (a * [[1], [1], [0]], u), "pitch must change in flight"),
+        (lambda a, u: (a, 0 * u + 4.0), "a voltage must change in flight"),
+    ],
+)
+def test_wrong_signs_and_dead_signals_are_named(known, change, message):
+    log = known[2]
+    with pytest.raises(ValueError, match=message):
+        identify([FlightLog(log.t, *change(log.angles, log.voltages))])
+
+
+@pytest.mark.parametrize("step", [0.001, 0.04])
+def test_other_sample_times_give_the_same_rig(known, model, step, tmp_path):
+    log = known[2]
+    t = np.arange(0.0, log.duration, step)
+    values = [np.interp(t, log.t, angle) for angle in log.angles]
+    values += [u[np.clip((t / 0.01 + 1e-6).astype(int), 0, len(log) - 1)] for u in log.voltages]
+    np.savetxt(tmp_path / "a.csv", np.array([t, *values]).T, delimiter=",", comments="",
+               header="t,travel,elevation,pitch,u_front,u_back")  # fmt: skip
+    found = identify([FlightLog.load(tmp_path / "a.csv")])
+    for name in ("a1", "a2", "b1", "b2", "b3", "exponent"):
+        assert getattr(found.parameters, name) == pytest.approx(getattr(model.parameters, name), rel=0.1)
+
+
 def test_an_effect_that_is_left_out_has_no_influence(known):
     found = identify([known[2]], effects=[name for name in EFFECTS if name != "gyro"])
     assert found.parameters.gyro == 0.0

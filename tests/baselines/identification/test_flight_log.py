@@ -185,3 +185,15 @@ def test_measured_logs_load_and_start_on_the_table():
         log = FlightLog.load(path)
         assert 25.0 < np.degrees(log.table_elevation()) < 32.0
         assert 0.9 < log.airborne().mean() < 1.0
+
+
+def test_single_outliers_are_bridged_and_frozen_pieces_are_no_flight(tmp_path):
+    columns = flown()
+    columns["pitch"][[700, 1400, 1401]] += 1.0
+    log = FlightLog.load(write_csv(tmp_path / "a.csv", columns))
+    np.testing.assert_allclose(log.angles[2], 0.1 * np.sin(log.t), atol=1e-3)
+    angles, voltages = log.angles.copy(), log.voltages.copy()
+    angles[:, 250:320], voltages[:, 250:320] = angles[:, 250:251], voltages[:, 250:251]
+    frozen = FlightLog(log.t, angles, voltages)
+    assert frozen.frozen()[250:319].all() and not frozen.frozen()[:249].any()
+    assert not frozen.airborne()[250:369].any() and frozen.airborne()[371:].all()

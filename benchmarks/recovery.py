@@ -1,0 +1,102 @@
+"""Do the parameters of simulated rigs come back within their standard errors?
+
+    python benchmarks/recovery.py lab --logs 100     # also: rigid, rigs
+
+Each log is 40 s of a draw, flown by the simulation of the environments, with encoders of 8192, 4096 and 4096 counts:
+of `lab`, of `rigid`, or of random rigs within the range of the identified ones, with every effect of the model. All of
+it is fitted. Prints for each parameter the true mean, the bias (mean error), the errors relative to the standard
+errors, and the share of 95 % intervals that hold. For `rigid`, the truth is its linearisation about hover, and the
+model does not contain the plant.
+"""
+
+import argparse
+
+import numpy as np
+
+from heli_gym import PLANTS, Coupling, HelicopterParameters, Plant, PowerCurve, Push, Rig, Sensors, ThrustMap, find_rig
+from heli_gym.baselines.identification.estimation import Identification, identify
+from heli_gym.baselines.identification.measured_model import MeasuredParameters
+from heli_gym.baselines.identification.simulated import hover_of, random_rig, simulate_plant, square_waves
+from heli_gym.plant import Rotors
+from heli_gym.thrust_map import ThrustCurve
+
+FIRST_SEED = 1000
+UNIT = 0.3  # N, thrust of one rotor in hover of the random rigs
+
+
+def paper_draw(name: str, seed: int) -> tuple[Plant, Rig, MeasuredParameters, float]:
+    """Draw of `lab` or `rigid`, the rig whose hover its controller knows, and true parameters at 1 V."""
+    plant, rig = PLANTS[name].draw(np.random.default_rng(seed)), find_rig("paper")
+    p, share = rig.parameters, 1.0 - plant.rotors.thrust_loss
+    c1, c2, c3 = plant.friction.viscous
+    unit = share * p.k_plus  # N at 1 V
+    true = MeasuredParameters(
+        p.a1, p.a2, p.a3, p.b1 * unit, p.b2 * unit, p.b3 * unit, c1, c2, c3, exponent=2.0, lag=plant.rotors.lag,
+        delay=plant.rotors.delay, centrifugal=0.0, pitch_spin=0.0,
+    )  # fmt: skip
+    return plant, rig, true, 1.0
+
+
+def rig_draw(seed: int) -> tuple[Plant, Rig, MeasuredParameters, float]:
+    """Random rig as a plant, as a rig, and its true parameters at its hover voltage."""
+    rng = np.random.default_rng(seed)
+    p, voltage = random_rig(rng)
+    parameters = HelicopterParameters(
+        0.0, 0.0, p.a1, p.a2, p.a3, p.b1 / UNIT, p.b2 / UNIT, p.b3 / UNIT, p.c1, p.c2, p.c3
+    )
+    k = UNIT / voltage**p.exponent
+    curves: list[ThrustCurve] = [
+        PowerCurve(gain * k, -p.reverse * gain * k, p.exponent) for gain in (1.0 + p.mismatch, 1.0 - p.mismatch)
+    ]
+    plant = Plant(
+        parameters,
+        thrust_map=ThrustMap(*curves),
+        rotors=Rotors(lag=p.lag, delay=p.delay),
+        sensors=Sensors(zeros=(*rng.uniform(0.0, 1e-3, 2), -p.pitch_zero)),
+        coupling=Coupling(p.centrifugal, p.centre, p.pitch_spin, p.gyro, p.pitch_speed),
+        disturbances=(Push("pitch", p.pitch_trim, 0.0, 1e6),),
+    )
+    rig = Rig("random", parameters, ThrustMap(*curves), voltage_limits=(-24.0, 24.0))
+    assert np.isfinite(hover_of(p, voltage)).all()
+    return plant, rig, p, voltage
+
+
+def errors(true: MeasuredParameters, voltage: float, found: Identification) -> dict[str, tuple[float, float, float]]:
+    """True value, error and standard error of each free parameter, in the unit of thrust of the identification."""
+    unit = (found.hover_voltage / voltage) ** true.exponent
+    scaled = true._replace(b1=true.b1 * unit, b2=true.b2 * unit, b3=true.b3 * unit)
+    return {
+        name: (getattr(scaled, name), getattr(found.parameters, name) - getattr(scaled, name), error)
+        for name, error in found.standard_errors.items()
+    }
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("plant", choices=("lab", "rigid", "rigs"))
+    parser.add_argument("--logs", type=int, default=100)
+    parser.add_argument("--duration", type=float, default=40.0, help="s")
+    args = parser.parse_args()
+    found: dict[str, list[tuple[float, float, float]]] = {}
+    for seed in range(FIRST_SEED, FIRST_SEED + args.logs):
+        plant, rig, true, voltage = rig_draw(seed) if args.plant == "rigs" else paper_draw(args.plant, seed)
+        log = simulate_plant(plant, rig, square_waves(), args.duration)
+        for name, values in errors(true, voltage, identify([log], rig, fit_share=1.0)).items():
+            found.setdefault(name, []).append(values)
+    print(
+        "| parameter | logs | true, mean | bias | errors / standard errors | within 95 % |\n|---|---|---|---|---|---|"
+    )
+    inside = []
+    for name, values in found.items():
+        true_values, error, standard = np.array(values).T
+        hold = np.abs(error) < 1.96 * standard
+        inside += hold.tolist()
+        print(
+            f"| {name} | {len(values)} | {true_values.mean():.3g} | {error.mean():.2g} | "
+            f"{np.sqrt(np.mean((error / standard) ** 2)):.2f} | {100.0 * hold.mean():.0f} % |"
+        )
+    print(f"\n{args.plant}: of {len(inside)} intervals of {args.logs} logs, {100.0 * np.mean(inside):.1f} % hold")
+
+
+if __name__ == "__main__":
+    main()
