@@ -40,6 +40,8 @@ class Maneuver:
         periodic: whether the flight repeats itself: it starts in motion, in the state in which it ends but for the
             travel, which may advance. The elevation at the start and at the goal must be equal.
         elevation_free: whether the elevation at the goal is free; set by a goal without an elevation.
+        lead: whether the plan's voltages lead, so that they arrive open loop on rotors with the rig's nominal lag and
+            dead time. The limits apply to these commands; the flight begins after the dead time.
 
     Raises:
         ValueError: if a value is not finite, the duration is not positive, hover at the start or at the goal exceeds
@@ -58,6 +60,7 @@ class Maneuver:
     via: tuple[tuple[float | None, float, float | None], ...] = ()
     periodic: bool = False
     elevation_free: bool = False
+    lead: bool = False
 
     def __post_init__(self) -> None:
         for end in ("start", "goal"):
@@ -121,6 +124,8 @@ class Maneuver:
             raise ValueError("periodic = True: must go with start and goal, not with states or a free elevation")
         if self.periodic and self.start[1] != self.goal[1]:
             raise ValueError(f"goal = {self.goal!r}: must have the elevation of the start, {self.start[1]:g} rad")
+        if self.lead and (self.start_state is not None or self.periodic or self.limits.slew is not None):
+            raise ValueError("lead = True: must go with a start at rest, and without a slew limit")
         if self.elevation_free and self.goal_state is not None:
             raise ValueError("elevation_free = True: must go with goal, not with goal_state")
 
@@ -132,9 +137,9 @@ class Maneuver:
 
     @property
     def is_from_rest_to_rest(self) -> bool:
-        """Whether it is a transition between two set-points, without via points."""
+        """Whether it is a transition between two set-points, without via points and leading voltages."""
         is_moving = self.start_state is not None or self.goal_state is not None or self.periodic
-        return not (is_moving or self.elevation_free or self.via)
+        return not (is_moving or self.elevation_free or self.via or self.lead)
 
     def __str__(self) -> str:
         (travel, elevation), (new_travel, new_elevation) = np.degrees(self.start), np.degrees(self.goal)
@@ -142,7 +147,8 @@ class Maneuver:
         more = f" via {len(self.via)} point{'s' if len(self.via) > 1 else ''}" if self.via else ""
         return (
             f"travel {travel:g} to {new_travel:g} deg, elevation {elevation:g} to {lift}{more}"
-            f"{', periodic,' if self.periodic else ''} in {self.duration:g} s within {self.limits}"
+            f"{', periodic,' if self.periodic else ''}{', leading,' if self.lead else ''} in {self.duration:g} s "
+            f"within {self.limits}"
         )
 
 

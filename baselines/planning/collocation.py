@@ -14,8 +14,9 @@ from scipy.interpolate import CubicHermiteSpline
 
 from heli_gym.baselines.paper.boundary_value import sample_times
 from heli_gym.baselines.planning.path import PathLimits, excesses, path_limits
-from heli_gym.baselines.planning.spline import via_estimates
+from heli_gym.baselines.planning.spline import LEAD_MARGIN, via_estimates
 from heli_gym.model import dynamics, hover_input, virtual_input
+from heli_gym.parameters import PATH_LIMITS
 from heli_gym.trajectory import Maneuver, Trajectory
 
 OBJECTIVES = ("time", "effort")
@@ -23,7 +24,8 @@ INTERVALS = 100
 FEWEST = 6  # intervals between via points
 SHORTEST, LONGEST = 0.05, 600.0  # s, shortest transition and longest computation
 STEPS = 3000  # largest number, of the interior-point method
-TIGHTENINGS = 5  # largest number of times that the pitch limits are tightened
+THRUSTS = 400  # at which the bounds of their rates are tabulated
+TIGHTENINGS = 7  # largest number of solutions, each within limits that are tightened by the excess of the last
 WAY_RESERVE = 1e-4  # rad and rad/s, margin to path constraints, which hold at the nodes only
 FAR = 1e4  # rad, ends of the level extension of a floor
 RESERVE = 3e-5  # rad, margin to the pitch limits for the interpolation error of the replayed plan
@@ -54,7 +56,6 @@ def collocate(
     time_limit: float = LONGEST,
     tighter: dict[str, float] | None = None,
     smooth: bool = False,
-    slopes: np.ndarray | None = None,
 ) -> Collocation | None:
     """Transition of least time, at most the maneuver's duration, or of least effort in exactly that duration.
 
@@ -68,7 +69,6 @@ def collocate(
         time_limit: in s, for the solver.
         tighter: amounts by which path constraints are tightened, by name.
         smooth: whether the thrusts begin and end with those of hover where the maneuver is at rest.
-        slopes: (2, intervals) least slopes in N/V of the thrust maps, for the slew rate; those of hover by default.
 
     Returns:
         A local optimum; None if the solver finds none.
@@ -112,7 +112,7 @@ def collocate(
         problem.subject_to(X[0, int(node)] == angle)
         if lift is not None:
             problem.subject_to(X[2, int(node)] == lift)
-    if smooth:
+    if smooth or maneuver.lead:  # rotors with lag begin in hover
         for k, state, point in ((0, maneuver.start_state, 0), (n, maneuver.goal_state, 1)):
             if state is None and not maneuver.periodic and not (k and maneuver.elevation_free):
                 problem.subject_to(F[:, k] == 0.5 * float(hover_input(ends[point, 2], p)[0]))
@@ -121,7 +121,7 @@ def collocate(
     inner = slice(0 if maneuver.periodic else 1, n)  # ends given by a state may be at the limits
     problem.subject_to(problem.bounded(limits.pitch_min, X[4, inner].T, limits.pitch_max))
     problem.subject_to(problem.bounded(limits.pitch_min, middle[4, :].T, limits.pitch_max))
-    constrain_way(problem, maneuver, X, F, h, tighter or {}, slopes)
+    constrain_way(problem, maneuver, X, F, h, tighter or {})
     if objective == "time":
         problem.minimize(T)
         problem.subject_to(problem.bounded(SHORTEST, T, maneuver.duration))
@@ -193,15 +193,7 @@ def phase_steps(
     return h, total
 
 
-def constrain_way(
-    problem: Any,
-    maneuver: Maneuver,
-    X: Any,
-    F: Any,
-    h: Any,
-    tighter: dict[str, float],
-    slopes: np.ndarray | None,
-) -> None:
+def constrain_way(problem: Any, maneuver: Maneuver, X: Any, F: Any, h: Any, tighter: dict[str, float]) -> None:
     """Add the maneuver's path constraints at the nodes to the problem; h are the intervals in s."""
     ca, path, rig = import_casadi(), path_limits(maneuver), maneuver.rig
     reserve = {name: WAY_RESERVE + tighter.get(name, 0.0) for name in PathLimits._fields}
@@ -215,12 +207,27 @@ def constrain_way(
     if path.floor is not None:
         floor = ca.interpolant("floor", "linear", [pad_travel(path.floor[0])], np.pad(path.floor[1], 1, mode="edge"))
         problem.subject_to(X[2, :] <= floor.map(X.shape[1])(X[0, :]) - reserve["floor"])
+    if path.slew is None and path.lead is None:
+        return
+    # bounds of df/dt in N/s as functions of the thrust f in N
+    f = np.linspace(*rig.thrust_bounds(maneuver.limits.u), THRUSTS)
+    w = rig.voltage(np.stack((f, f)))
+    slopes = rig.thrust_slope(w)
+    bounds = []
     if path.slew is not None:
-        if slopes is None:
-            slopes = np.full((2, h.shape[0]), np.min(rig.thrust_slope(rig.hover_voltage(maneuver.goal[1]))))
-        most = (max(path.slew - tighter.get("slew", 0.0), 0.1 * path.slew) * slopes).T.ravel()  # in N/s
-        change = ca.vec((F[:, 1:] - F[:, :-1]) / ca.repmat(h.T, 2, 1))
-        problem.subject_to(problem.bounded(-most, change, most))
+        most = max(path.slew - tighter.get("slew", 0.0), 0.1 * path.slew)
+        bounds.append((-most * slopes, most * slopes))
+    if path.lead is not None:
+        less = LEAD_MARGIN + tighter.get("lead", 0.0)
+        limits = maneuver.limits.u_min + less, maneuver.limits.u_max - less
+        bounds.append(tuple(slopes * (limit - w) / path.lead for limit in limits))
+    for rotor in (0, 1):
+        change = (F[rotor, 1:] - F[rotor, :-1]) / h.T
+        for least, most in bounds:
+            low, high = (ca.interpolant("bound", "linear", [f], values[rotor]) for values in (least, most))
+            for at in (F[rotor, :-1], F[rotor, 1:]):
+                problem.subject_to(change >= low.map(at.shape[1])(at))
+                problem.subject_to(change <= high.map(at.shape[1])(at))
 
 
 def pad_travel(travel: np.ndarray) -> np.ndarray:
@@ -236,17 +243,14 @@ def collocated_trajectory(
     If the pitch exceeds its limits between two nodes, they are tightened by the excess, and the problem solved again.
     """
     deadline = math.inf if time_limit is None else time.perf_counter() + time_limit
-    tight, found, tighter, slopes = maneuver, None, dict[str, float](), None
-    for attempt in range(TIGHTENINGS):
+    tight, found, tighter = maneuver, None, dict[str, float]()
+    for _ in range(TIGHTENINGS):
         left = min(deadline - time.perf_counter(), LONGEST)
-        found = collocate(tight, objective, INTERVALS, found, left, tighter, smooth, slopes)
+        found = collocate(tight, objective, INTERVALS, found, left, tighter, smooth) or collocate_from_relaxed(
+            tight, objective, tighter, smooth, deadline
+        )
         if found is None:
             return None
-        if maneuver.limits.slew is not None:
-            along = maneuver.rig.thrust_slope(maneuver.rig.voltage(found.f))
-            slopes = np.minimum(along[:, 1:], along[:, :-1])
-            if attempt == 0:
-                continue
         trajectory = sample(replace(maneuver, duration=float(found.t[-1])), found)
         pitch, (low, high) = trajectory.x[4], maneuver.limits.pitch
         excess = max(low - pitch.min(), pitch.max() - high) + RESERVE
@@ -265,6 +269,23 @@ def collocated_trajectory(
     return None
 
 
+def collocate_from_relaxed(
+    maneuver: Maneuver, objective: str, tighter: dict[str, float], smooth: bool, deadline: float
+) -> Collocation | None:
+    """Solution of `collocate` from one without path constraints and lead; None if there is none."""
+    relaxed = dict.fromkeys(PATH_LIMITS)
+    easier = replace(maneuver, limits=replace(maneuver.limits, **relaxed), floor=None, lead=False)
+    found = None
+    for step in (easier, replace(easier, limits=maneuver.limits, floor=maneuver.floor), maneuver):
+        if found is None and step is not easier:
+            return None
+        left = min(deadline - time.perf_counter(), LONGEST)
+        if left <= 0.0:
+            return None
+        found = collocate(step, objective, INTERVALS, found, left, tighter, smooth)
+    return found
+
+
 def sample(maneuver: Maneuver, found: Collocation) -> Trajectory:
     """Sample a solution: thrusts linear and states cubic between the nodes."""
     p, t = maneuver.parameters, sample_times(maneuver)
@@ -277,4 +298,7 @@ def sample(maneuver: Maneuver, found: Collocation) -> Trajectory:
     if maneuver.elevation_free:
         ends[1, 2] = x[2, -1]
     x[:, [0, -1]] = ends.T
-    return Trajectory(t, x, maneuver.rig.voltage(f), maneuver.limits, maneuver.rig)
+    u, lag = maneuver.rig.voltage(f), path_limits(maneuver).lead
+    if lag is not None:
+        u = u + lag * np.gradient(u, t, axis=1)
+    return Trajectory(t, x, u, maneuver.limits, maneuver.rig)

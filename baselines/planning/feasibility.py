@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from heli_gym.baselines.paper.boundary_value import SAMPLE_PERIOD, sample_times
+from heli_gym.baselines.planning.lead import rotor_voltages
 from heli_gym.baselines.planning.path import RECOVERY, path_fault, pitch_window
 from heli_gym.model import fan_thrusts, hover_input, linearise, virtual_input
 from heli_gym.parameters import HelicopterParameters
@@ -126,9 +127,14 @@ def infeasible(maneuver: Maneuver, shortest: Trajectory | None, clock: TimeLimit
     )
 
 
-def validated(maneuver: Maneuver, trajectory: Trajectory | None, clock: TimeLimit | None = None) -> Trajectory | None:
-    """Return the trajectory if it meets the specification of `plan`; else None, with the reason stored in the clock."""
-    fault = None if trajectory is None else fault_of(maneuver, trajectory)
+def validated(
+    maneuver: Maneuver, trajectory: Trajectory | None, clock: TimeLimit | None = None, delay: float = 0.0
+) -> Trajectory | None:
+    """Return the trajectory if it meets the specification of `plan`; else None, with the reason stored in the clock.
+
+    `delay` is the dead time in s, as in `fault_of`.
+    """
+    fault = None if trajectory is None else fault_of(maneuver, trajectory, delay)
     if fault is not None and clock is not None:
         clock.rejected.append(fault)
     return trajectory if fault is None else None
@@ -164,12 +170,19 @@ def end_miss(maneuver: Maneuver, trajectory: Trajectory) -> float:
     return float(max(np.abs(first - start).max(), np.abs(last - goal).max()))
 
 
-def fault_of(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
-    """Message about the first violated specification of `plan`, from a replay through (3); None if all are met."""
+def fault_of(maneuver: Maneuver, trajectory: Trajectory, delay: float = 0.0) -> str | None:
+    """Message about the first violated specification of `plan`, from a replay through (3); None if all are met.
+
+    Leading voltages are those of rotors with the rig's lag, and with `delay` as their dead time in s.
+    """
     from heli_gym.baselines.planning.replay import replay  # compiles, or loads from the cache
 
     limits, t = maneuver.limits, trajectory.t
-    v = np.stack(virtual_input(maneuver.rig.thrust(trajectory.u)))
+    u = trajectory.u
+    if maneuver.lead:
+        before = maneuver.rig.hover_voltage(maneuver.start[1])
+        u = rotor_voltages(t, u, maneuver.rig.lag, delay, before)
+    v = np.stack(virtual_input(maneuver.rig.thrust(u)))
     ends = np.searchsorted(t, replay_ends(maneuver, trajectory.duration))
     miss, pitch = 0.0, [0.0]
     for start, end in pairwise(ends):

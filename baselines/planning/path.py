@@ -23,6 +23,7 @@ class PathLimits(NamedTuple):
     elevation_rate: float | None
     slew: float | None
     floor: np.ndarray | None  # (2, N) travel and elevation in rad
+    lead: float | None  # s, lag of the rotors that the voltages lead
 
     @property
     def is_empty(self) -> bool:
@@ -44,11 +45,12 @@ def path_limits(maneuver: Maneuver) -> PathLimits:
         limits.elevation_rate,
         limits.slew,
         None if maneuver.floor is None else np.array(maneuver.floor),
+        maneuver.rig.lag if maneuver.lead and maneuver.rig.lag > 0.0 else None,
     )
 
 
 def excesses(maneuver: Maneuver, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> dict[str, float]:
-    """Excess of a flight over each path constraint, by name, in rad, rad/s and V/s; negative where it is satisfied."""
+    """Excess of a flight over each path constraint by name, in rad, rad/s, V/s or V; negative where it is satisfied."""
     path, found = path_limits(maneuver), {}
     if path.elevation_min is not None:
         found["elevation_min"] = float(path.elevation_min - x[2].min())
@@ -60,6 +62,8 @@ def excesses(maneuver: Maneuver, t: np.ndarray, x: np.ndarray, u: np.ndarray) ->
         found["elevation_rate"] = float(np.abs(x[3]).max() - path.elevation_rate)
     if path.slew is not None:
         found["slew"] = float((np.abs(np.diff(u)) / np.diff(t)).max() - path.slew)
+    if path.lead is not None:
+        found["lead"] = float(max(u.max() - maneuver.limits.u_max, maneuver.limits.u_min - u.min()))
     if path.floor is not None:
         found["floor"] = float((x[2] - np.interp(x[0], *path.floor)).max())
     return found
@@ -105,7 +109,8 @@ def path_fault(maneuver: Maneuver, trajectory: Trajectory) -> str | None:
     for name, excess in excesses(maneuver, trajectory.t, trajectory.x, trajectory.u).items():
         slew = maneuver.limits.slew or 0.0
         if excess > PATH_TOLERANCE * (slew if name == "slew" else 1.0):
-            amount = f"{excess:.2g} V/s" if name == "slew" else f"{math.degrees(excess):.2g} deg"
+            units = {"slew": "V/s", "lead": "V"}
+            amount = f"{excess:.2g} {units[name]}" if name in units else f"{math.degrees(excess):.2g} deg"
             amount += "/s" if name.endswith("_rate") else ""
             return f"the plan's way exceeds {name} by {amount}"
     for k, missed in enumerate(np.abs(passages(maneuver, trajectory.t, trajectory.x)).max(axis=1)):
@@ -118,7 +123,8 @@ def check_ends(maneuver: Maneuver) -> None:
     """Raise ValueError, which names the constraint, if an end of the maneuver violates one."""
     ends = maneuver.ends[: 1 if maneuver.elevation_free else 2]
     for name, x in zip(("start", "goal"), ends):
-        rest = excesses(maneuver, np.arange(2.0), np.stack((x, x), axis=1), np.zeros((2, 2)))
+        hover = maneuver.rig.hover_voltage(maneuver.start[1])[:, None] * np.ones(2)
+        rest = excesses(maneuver, np.arange(2.0), np.stack((x, x), axis=1), hover)
         for constraint, excess in rest.items():
             if excess > PATH_TOLERANCE:
                 raise ValueError(f"{name} = {getattr(maneuver, name)!r}: must keep {constraint}, and exceeds it")

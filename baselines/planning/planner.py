@@ -25,6 +25,7 @@ from heli_gym.baselines.planning.feasibility import (
     validated,
 )
 from heli_gym.baselines.planning.flat import flat_trajectory
+from heli_gym.baselines.planning.lead import with_dead_time, without_dead_time
 from heli_gym.baselines.planning.paper_method import (
     plan_by_shooting,
     plan_by_shooting_near,
@@ -108,19 +109,42 @@ def plan(
     check_scale(maneuver)
     check_ends(maneuver)
     clock = start_clock(maneuver, time_limit)
+    if near is not None:
+        if not isinstance(near, Trajectory):
+            raise ValueError(f"near = {shown(near)}: must be a Trajectory")
+        if method not in NEARBY:
+            raise ValueError(
+                f"method = {method!r} does not start from another plan: must be one of {', '.join(NEARBY)}"
+            )
+        if objective is not None:
+            raise ValueError(f"objective = {objective!r}: must go without a plan near by")
     if not maneuver.is_from_rest_to_rest and method == "auto":
         method = "spline"
-    if near is None and objective is not None:
-        return OBJECTIVES[objective](maneuver, clock)
-    if near is None:
-        return METHODS[method](maneuver, clock)
-    if not isinstance(near, Trajectory):
-        raise ValueError(f"near = {shown(near)}: must be a Trajectory")
-    if method not in NEARBY:
-        raise ValueError(f"method = {method!r} does not start from another plan: must be one of {', '.join(NEARBY)}")
-    if objective is not None:
-        raise ValueError(f"objective = {objective!r}: must go without a plan near by")
-    return NEARBY[method](maneuver, near, clock) or METHODS[method](maneuver, clock)
+
+    def search(maneuver: Maneuver) -> Trajectory:
+        if near is not None:
+            return NEARBY[method](maneuver, near, clock) or METHODS[method](maneuver, clock)
+        return (METHODS[method] if objective is None else OBJECTIVES[objective])(maneuver, clock)
+
+    return plan_leading(maneuver, search, clock) if maneuver.lead else search(maneuver)
+
+
+def plan_leading(maneuver: Maneuver, search: Callable[[Maneuver], Trajectory], clock: TimeLimit) -> Trajectory:
+    """Plan after the rig's dead time by `search`, with the dead time before it."""
+    delay = maneuver.rig.delay
+    try:
+        trajectory = with_dead_time(search(without_dead_time(maneuver)), delay)
+    except InfeasibleManeuver as refusal:
+        shortest = refusal.shortest_duration
+        if shortest is None or delay == 0.0:
+            raise
+        raise InfeasibleManeuver(
+            f"{refusal}; both durations are those after the rig's dead time of {delay:g} s", shortest + delay
+        ) from None
+    flown = replace(maneuver, duration=trajectory.duration)
+    if validated(flown, trajectory, clock, delay) is None:
+        raise infeasible(maneuver, None, clock)
+    return trajectory
 
 
 def plan_fastest(
@@ -158,7 +182,10 @@ def plan_fastest(
     if not maneuver.is_from_rest_to_rest and method == "auto":
         method = "spline"
     requested = replace(maneuver, limits=with_reserve(maneuver.limits, reserve))
-    return replace(FASTEST[method](requested, start_clock(maneuver, time_limit)), limits=maneuver.limits)
+    clock = start_clock(maneuver, time_limit)
+    search = partial(FASTEST[method], clock=clock)
+    fastest = plan_leading(requested, search, clock) if maneuver.lead else search(requested)
+    return replace(fastest, limits=maneuver.limits)
 
 
 def check_method(maneuver: Maneuver, method: str) -> None:
@@ -254,11 +281,11 @@ def spline_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Traje
         found = validated(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check), clock)
     if found is not None:
         return found
-    for ratio in spline.LADDER:  # short plans, for which there is no fastest one by the same solver
-        longer = replace(maneuver, duration=ratio * maneuver.duration)
+    for longer_by in spline.LADDER:  # short plans, of which the solver finds no fastest one
+        longer = replace(maneuver, duration=maneuver.duration + longer_by)
         found = validated(longer, spline.plan_few(longer), clock)
         if found is not None:
-            if ratio == 1.0:
+            if longer_by == 0.0:
                 return found
             raise InfeasibleManeuver(
                 f"no plan for {maneuver}; the shortest found takes {longer.duration:.2f} s", longer.duration

@@ -17,6 +17,7 @@ from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from heli_gym.baselines.paper.boundary_value import RISE, sample_times
 from heli_gym.baselines.paper.normal_form import internal_dynamics, travel_damping
+from heli_gym.baselines.planning.lead import leading_commands
 from heli_gym.baselines.planning.path import RECOVERY, excesses, passages, path_limits, pitch_window
 from heli_gym.model import dynamics, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory, hover_thrust_sum
@@ -24,14 +25,15 @@ from heli_gym.trajectory import Maneuver, Trajectory, hover_thrust_sum
 SEGMENTS = (30, 60)  # of the splines, tried in this order: fewer are faster and smoother
 SHORTEST_SEGMENTS = (36, 72, 144)  # the shortest durations take more segments
 REPLAN_DENSITY, FEWEST, REPLAN_ITERATIONS = 2.5, 12, 30  # segments per s, fewest segments, and iterations in flight
-LONGER, QUICK = (2.0, 0.7), 1e-3  # s beyond the requested duration to search for one that works; its final barrier
-LADDER = (1.0, 1.15, 1.35, 1.6, 2.0, 2.5, 3.5)  # ratios of durations to the requested one, for short plans in flight
+LONGER, QUICK, QUICK_ITERATIONS = (2.0, 0.7), 1e-3, 80  # s beyond the requested duration, for the fastest in flight
+LADDER = (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.5)  # s beyond the requested duration, for short plans in flight
 REST = 3  # coefficients at each end, fixed by its position with zero velocity and acceleration
 SMOOTH, SOONEST = 1e-3, 1e-6  # final barrier parameter: smoothest plan, which seldom touches limits; fastest plan
 COLD, LUKEWARM, WARM = 0.1, 1e-2, 1e-3  # initial one: from a guess, from a solution of another or of the same problem
 EXACT = 1e-4  # final barrier parameter for the exactly smoothest plan, as a share of its roughness
 EFFORT, EFFORT_ROUGHNESS = 10.0, 1e-4  # weights of the squared distance from hover thrusts, and of smoothness
 STEEPEST = 0.5 * math.pi  # rad, of any elevation
+LEAD_MARGIN = 0.02  # V, for corrections of leading commands
 END_MARGIN = 0.02  # rad, of pitch coefficients next to an end in motion
 ROUGHNESS = 1e-4  # weight of smoothness (integral of squared N/s) relative to the logarithm of the duration
 TOLERANCE = 1e-7  # rad/s² and N
@@ -41,7 +43,8 @@ EASY = 2.0  # ratio of the search's initial duration to a rough bound for travel
 STRETCHES = (1.0, 1.6, 0.7, 1.25, 2.5, 4.0)  # factors on that duration, tried until one gives a plan
 LEAST_STRETCH = 0.05  # smallest step of lengthening, as a share of the interval of durations
 APPROACH = (0.8, 0.6, 0.4, 0.2, 0.0)  # decreasing shares of the initial excess over a constraint
-TIGHTENINGS = 5  # largest number of times that thrust bounds are tightened for an excess between collocation points
+TIGHTENINGS = 8  # largest number of times that thrust bounds are tightened for an excess between collocation points
+LINEARISED, LINEARISATIONS = ("slew", "lead"), 3  # constraints linear about the last plan; plans until tightening
 VIA_ACCURACY = 1e-4  # rad, largest miss of a via point; the integral of the travel to it is approximate
 
 
@@ -64,7 +67,7 @@ class Bounds(NamedTuple):
     thrusts: tuple[float, float]
     on_the_way: bool = False
     tighter: Mapping[str, float] = MappingProxyType({})
-    slopes: np.ndarray | None = None  # (2, N) of the thrust maps in N/V along the previous plan, for the slew rate
+    voltages: np.ndarray | None = None  # (2, N) of the rotors along the previous plan, for slew rate and lead
     vias: np.ndarray | None = None  # (V, 2) shifts of the via points in rad, by their miss in the previous plan
     iterations: int | None = None  # largest number
 
@@ -342,6 +345,7 @@ def with_equations(
                 equations += [] if lift is None else [(kernel.VIA_ELEVATION, k)]
     targets = np.zeros(len(rows) + len(equations))
     targets[len(rows) : len(rows) + len(values)] = values
+    targets[: len(rows)][rows[:, 0] == kernel.LEAD] = maneuver.rig.lag
     return np.concatenate((rows, np.array(equations, np.int64).reshape(-1, 2))), targets, vias
 
 
@@ -358,6 +362,11 @@ def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[
     def within(name: str) -> float:
         return getattr(path, name) - bounds.tighter.get(name, 0.0)
 
+    voltages = maneuver.rig.hover_voltage(maneuver.start[1])[:, None] * np.ones(3 * segments + 1)
+    if bounds.voltages is not None:
+        share = np.arange(3 * segments + 1) / (3 * segments)
+        given = np.linspace(0.0, 1.0, bounds.voltages.shape[1])
+        voltages = np.stack([np.interp(share, given, row) for row in bounds.voltages])
     if bounds.on_the_way:
         if path.elevation_min is not None or path.elevation_max is not None:
             lowest = -STEEPEST if path.elevation_min is None else path.elevation_min
@@ -372,14 +381,16 @@ def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[
         if path.floor is not None:
             blocks.append(("floor", kernel.FLOOR, knots, -2.0 * STEEPEST, -bounds.tighter.get("floor", 0.0)))
         if path.slew is not None:
-            index = np.arange(2 * 3 * segments)
-            share = np.arange(3 * segments + 1) / (3 * segments)
-            slopes = np.full((2, len(share)), maneuver.rig.thrust_slope(maneuver.rig.hover_voltage())[0])
-            if bounds.slopes is not None:
-                given = np.linspace(0.0, 1.0, bounds.slopes.shape[1])
-                slopes = np.stack([np.interp(share, given, row) for row in bounds.slopes])
+            slopes = maneuver.rig.thrust_slope(voltages)
             most = within("slew") * np.minimum(slopes[:, 1:], slopes[:, :-1]).T.ravel()
-            blocks.append(("slew", kernel.SLEW, index, -most, most))
+            blocks.append(("slew", kernel.SLEW, np.arange(2 * 3 * segments), -most, most))
+        if path.lead is not None:
+            # w + lag dw/dt is within the limits of u if f + lag df/dt is within these bounds, f being linear in w
+            slopes, f = maneuver.rig.thrust_slope(voltages), maneuver.rig.thrust(voltages)
+            less = LEAD_MARGIN + bounds.tighter.get("lead", 0.0)
+            u_min, u_max = maneuver.limits.u_min + less, maneuver.limits.u_max - less
+            least, most = ((f + slopes * (limit - voltages))[:, 1:].T.ravel() for limit in (u_min, u_max))
+            blocks.append(("lead", kernel.LEAD, np.arange(2 * 3 * segments), least, most))
     sizes = [len(index) for _, _, index, _, _ in blocks]
     names = np.repeat([name for name, *_ in blocks], sizes) if blocks else np.empty(0, dtype=str)
     if not blocks:
@@ -403,9 +414,12 @@ def solve_within_limits(
     limits = low, high = maneuver.rig.thrust_bounds(maneuver.limits.u)
     tighter: dict[str, float] = {}
     over: dict[str, float] = {}
-    on_the_way, slopes, vias = False, None, np.zeros((len(maneuver.via), 2))
+    on_the_way, voltages, vias = bool(start.by_path), None, np.zeros((len(maneuver.via), 2))
+    if on_the_way:
+        voltages = maneuver.rig.voltage(np.clip(sample(maneuver, start)[2], *limits))
+    lag, linearised = path_limits(maneuver).lead, 0
     for _ in range(TIGHTENINGS):
-        bounds = Bounds((low, high), on_the_way, tighter, slopes, vias, iterations)
+        bounds = Bounds((low, high), on_the_way, tighter, voltages, vias, iterations)
         spline = optimum(maneuver, start, bounds, barrier)
         if spline is None and over:
             spline = solve_by_homotopy(maneuver, optimum, start, bounds._replace(tighter=over))
@@ -413,16 +427,26 @@ def solve_within_limits(
             return None
         t, x, f = sample(maneuver, spline)
         below, above = limits[0] - f.min(), f.max() - limits[1]
-        u = maneuver.rig.voltage(np.clip(f, *limits))
+        u = voltages = maneuver.rig.voltage(np.clip(f, *limits))
+        if lag is not None:
+            u = voltages + lag * np.gradient(voltages, t, axis=1)
         over = {name: excess for name, excess in excesses(maneuver, t, x, u).items() if excess > 0.0}
         missed = passages(maneuver, t, x)
         if max(below, above) <= 0.0 and not over and np.abs(missed).max(initial=0.0) <= VIA_ACCURACY:
+            if lag is not None:
+                before = maneuver.rig.hover_voltage(maneuver.start[1])
+                u = leading_commands(t, voltages, lag, 0.0, before, maneuver.limits.u)
             return spline, Trajectory(t, x, u, maneuver.limits, maneuver.rig)
         low, high = low + 1.2 * max(below, 0.0), high - 1.2 * max(above, 0.0)
+        linearised += on_the_way
         if on_the_way:
-            tighter = {**tighter, **{name: tighter.get(name, 0.0) + 1.2 * excess for name, excess in over.items()}}
+            tighter = tighter | {
+                name: tighter.get(name, 0.0) + 1.2 * excess
+                for name, excess in over.items()
+                if name not in LINEARISED or linearised > LINEARISATIONS
+            }
         on_the_way = on_the_way or bool(over)
-        slopes, vias = maneuver.rig.thrust_slope(u), vias - missed
+        vias = vias - missed
         start, barrier = spline, LUKEWARM if over else WARM
     return None
 
@@ -501,7 +525,7 @@ def fastest_from(maneuver: Maneuver) -> Spline | None:
         found = optimise(
             maneuver,
             guess(maneuver, duration, FEWEST),
-            Bounds(maneuver.rig.thrust_bounds(maneuver.limits.u)),
+            Bounds(maneuver.rig.thrust_bounds(maneuver.limits.u), iterations=QUICK_ITERATIONS),
             duration,
             (ROUGHNESS, 1.0, 0.0),
             COLD,

@@ -475,10 +475,8 @@ def assemble(
             ss += stiff * J[q, unknowns] ** 2
             sw += stiff * J[q, unknowns] * J[q, unknowns + 1]
             border[1, 1] += stiff * J[q, unknowns + 1] ** 2
-            begin = 0
-            while begin < unknowns and J[q, begin] == 0.0:
-                begin += 1
-            for n in range(begin, unknowns):
+            begin, end = row_span(rows[q, 0], rows[q, 1], lead, unknowns)
+            for n in range(begin, end):
                 push = stiff * J[q, n]
                 if push != 0.0:
                     G[n, 0] += push * J[q, unknowns]
@@ -498,6 +496,17 @@ def assemble(
     border[0, 1] += sw
     border[1, 0] += sw
     return gs
+
+
+def row_span(kind, k, lead, unknowns):
+    """First unknown with a derivative of a row, and the one after the last."""
+    if kind in (ELEVATION, ELEVATION_RATE):
+        return max(0, 2 * (k - lead)), min(unknowns, 2 * (k + 2 - lead))
+    if kind in (SLEW, LEAD):
+        # both points are in one segment, except that its last one belongs to the next
+        first = k // 6 - lead
+        return max(0, 2 * first), min(unknowns, 2 * (first + 5))
+    return 0, unknowns
 
 
 def pull_on_travel(c, y, s, damping, points, rows, vias, floor, r, knots, places, on_travel, on_travel_s):
@@ -646,7 +655,7 @@ def add_thrust(c, s, points, lead, F, k, scale, row):
                 row[n + o] += scale * by_c
 
 
-def vjp(force, F, J, c, s, points, lead, g):
+def vjp(force, F, J, rows, c, s, points, lead, g):
     """Add to g the vector-Jacobian product of `force` with thrusts and rows; return its entries for s and w."""
     B, first, tau, _ = points
     by_s, by_w, z, n_ = 0.0, 0.0, np.empty(6), np.empty(6)
@@ -663,14 +672,15 @@ def vjp(force, F, J, c, s, points, lead, g):
                 g[n + 1] += B[p, 0, i] * n_[3] + root * B[p, 1, i] * n_[4] + s * B[p, 2, i] * n_[5]
     offset = len(force) - len(J)
     for q in range(len(J)):
-        for n in range(unknowns):
+        begin, end = row_span(rows[q, 0], rows[q, 1], lead, unknowns)
+        for n in range(begin, end):
             g[n] += force[offset + q] * J[q, n]
         by_s += force[offset + q] * J[q, unknowns]
         by_w += force[offset + q] * J[q, unknowns + 1]
     return by_s, by_w
 
 
-def jvp(dx, ds, dw, F, J, c, s, points, lead, df):
+def jvp(dx, ds, dw, F, J, rows, c, s, points, lead, df):
     """Add to df the Jacobian-vector product: changes of thrusts (2 K,) and rows for steps of coefficients, s and w."""
     B, first, tau, _ = points
     z, d = np.empty(6), np.empty(6)
@@ -691,7 +701,8 @@ def jvp(dx, ds, dw, F, J, c, s, points, lead, df):
                 df[k] += F[k, a] * d[a]
     offset = len(df) - len(J)
     for q in range(len(J)):
-        for n in range(unknowns):
+        begin, end = row_span(rows[q, 0], rows[q, 1], lead, unknowns)
+        for n in range(begin, end):
             df[offset + q] += J[q, n] * dx[n]
         df[offset + q] += J[q, unknowns] * ds + J[q, unknowns + 1] * dw
 
@@ -973,7 +984,7 @@ def solve(
             g[i] = direct[i]
             for k in range(equations):
                 g[i] += lam[k] * G[i, BORDER + k]
-        gs, gw = vjp(y, F, J[:bounded], c, s, points, lead, g)
+        gs, gw = vjp(y, F, J[:bounded], rows, c, s, points, lead, g)
         gs += direct_s
         for k in range(equations):
             gs += lam[k] * es[k, 0]
@@ -999,7 +1010,7 @@ def solve(
         duals(mu, v, low, high, zl, zu, r, y, stiffness, force)
         for i in range(unknowns):
             g[i] = direct[i]
-        gs, gw = vjp(force, F, J[:bounded], c, s, points, lead, g)
+        gs, gw = vjp(force, F, J[:bounded], rows, c, s, points, lead, g)
         gb[0], gb[1] = gs + direct_s, gw
         for i in range(free):
             g[2 * i + 1] += force[count + i]
@@ -1010,7 +1021,7 @@ def solve(
         ds, dw = step[0], step[1]
         for k in range(size):
             dv[k] = r[k]
-        jvp(dx, ds, dw, F, J[:bounded], c, s, points, lead, dv)
+        jvp(dx, ds, dw, F, J[:bounded], rows, c, s, points, lead, dv)
         for i in range(free):
             dv[count + i] = dx[2 * i + 1]
         length, dual = dual_step(mu, v, dv, low, high, zl, zu, dzl, dzu)
