@@ -9,21 +9,30 @@ import importlib
 import io
 import math
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from typing import Any, Literal
 
 import gymnasium as gym
 import numpy as np
 from rich.console import Console
-from rich.progress import track
 from rich.table import Table
 from scipy.integrate import solve_ivp
 from scipy.stats import binomtest
 
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.evaluation import figures
+from heli_gym.baselines.evaluation.engine import (
+    Engine,
+    EngineName,
+    check_engine,
+    in_order,
+    open_engine,
+    progress_bar,
+    track_results,
+)
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly
 from heli_gym.baselines.planning.collocation import collocate
@@ -63,6 +72,9 @@ class Args:
     draws: int = 100  # number of helicopters of each plant
     rig: str = "paper"  # rig: a name, or a .toml file
     seed: int = 0
+    engine: EngineName = "local"  # processes of this machine, or Ray
+    address: str | None = None  # Ray cluster, HOST:PORT or auto; by default one is started on this machine
+    workers: int = 1  # number of processes; several distort the computing times
     out: Path = Path("out/planners")
 
 
@@ -125,31 +137,51 @@ def time_planner(
     return trajectory, time.perf_counter() - began
 
 
-def robustness(args: Args, console: Console) -> None:
+@cache
+def warm_up() -> None:
+    """Compile the kernels of this process before a timing."""
+    plan(Maneuver(duration=9.0))
+
+
+def requests(args: Args) -> Iterator[tuple[Maneuver, float]]:
+    """Random maneuvers, endlessly, each with a duration relative to collocation's shortest."""
+    rng, rig = np.random.default_rng(args.seed), find_rig(args.rig)
+    while True:
+        yield random_maneuver(rng, rig), rng.uniform(*DURATIONS)
+
+
+def plan_request(request: tuple[Maneuver, float]) -> dict[str, Any] | None:
+    """Row of a random maneuver, or None if collocation finds no plan at all."""
+    maneuver, ratio = request
+    warm_up()
+    shortest = shortest_known(maneuver)
+    if not math.isfinite(shortest):
+        return None
+    requested = replace(maneuver, duration=ratio * shortest)
+    trajectory, seconds = time_planner(plan, requested)
+    return {
+        "maneuver": str(requested),
+        "duration / shortest known": ratio,
+        "planned": trajectory is not None,
+        "limits kept": trajectory is not None and meets_its_limits(requested, trajectory),
+        "seconds": seconds,
+    }
+
+
+def robustness(args: Args, console: Console, engine: Engine) -> None:
     """Success rate and computing time of the planners on random maneuvers with time to spare."""
-    rng, spare = np.random.default_rng(args.seed), 0
     rows: list[dict[str, Any]] = []
-    rig = find_rig(args.rig)
-    plan(Maneuver(duration=9.0))  # compiles the kernels before the timing
-    with console.status("robustness"):
-        while spare < args.maneuvers:
-            maneuver = random_maneuver(rng, rig)
-            shortest, ratio = shortest_known(maneuver), rng.uniform(*DURATIONS)
-            if not math.isfinite(shortest):
+    spare = 0
+    with progress_bar(console) as progress:
+        bar = progress.add_task("robustness", total=args.maneuvers)
+        for row in in_order(engine.results(plan_request, requests(args))):
+            if row is None:
                 continue
-            requested = replace(maneuver, duration=ratio * shortest)
-            trajectory, seconds = time_planner(plan, requested)
-            within_limits = trajectory is not None and meets_its_limits(requested, trajectory)
-            spare += ratio >= TO_SPARE
-            rows.append(
-                {
-                    "maneuver": str(requested),
-                    "duration / shortest known": ratio,
-                    "planned": trajectory is not None,
-                    "limits kept": within_limits,
-                    "seconds": seconds,
-                }
-            )
+            rows.append(row)
+            spare += row["duration / shortest known"] >= TO_SPARE
+            progress.update(bar, completed=spare)
+            if spare == args.maneuvers:
+                break
     write_csv(args.out / "robustness.csv", rows)
     table = Table("maneuvers", "number", "planned", "95 % interval", "limits kept", "median time", "99th percentile")
     for name, low, high in (
@@ -174,26 +206,26 @@ def robustness(args: Args, console: Console) -> None:
     console.print(table)
 
 
-def shortest(args: Args, console: Console) -> None:
+def plan_shortest(maneuver: Maneuver) -> dict[str, Any]:
+    """Row of a maneuver's shortest duration, by collocation and by the planner."""
+    known = shortest_known(maneuver)
+    trajectory, seconds = time_planner(plan_fastest, maneuver)
+    found = math.inf if trajectory is None else trajectory.duration
+    return {
+        "maneuver": str(maneuver),
+        "collocation": known,
+        "spline": found,
+        "ratio": found / known,
+        "limits kept": trajectory is not None and meets_its_limits(replace(maneuver, duration=found), trajectory),
+        "seconds": seconds,
+    }
+
+
+def shortest(args: Args, console: Console, engine: Engine) -> None:
     """Shortest durations of random maneuvers and of the paper's."""
     rng, rig = np.random.default_rng(args.seed + 1), find_rig(args.rig)
-    rows: list[dict[str, Any]] = []
     drawn = [Maneuver(duration=20.0, rig=rig), *(random_maneuver(rng, rig) for _ in range(args.fastest))]
-    for maneuver in track(drawn, "shortest", console=console):
-        known = shortest_known(maneuver)
-        trajectory, seconds = time_planner(plan_fastest, maneuver)
-        found = math.inf if trajectory is None else trajectory.duration
-        within_limits = trajectory is not None and meets_its_limits(replace(maneuver, duration=found), trajectory)
-        rows.append(
-            {
-                "maneuver": str(maneuver),
-                "collocation": known,
-                "spline": found,
-                "ratio": found / known,
-                "limits kept": within_limits,
-                "seconds": seconds,
-            }
-        )
+    rows = list(track_results(engine, plan_shortest, drawn, "shortest", console))
     write_csv(args.out / "shortest.csv", rows)
     ratios = np.array([row["ratio"] for row in rows[1:]])
     first = rows[0]
@@ -212,26 +244,27 @@ def scale_window(rig: Rig, window: tuple[float, float]) -> tuple[float, float]:
     return u_min, u_max
 
 
-def trade_off(args: Args, console: Console) -> None:
+def plan_within(task: tuple[Rig, tuple[float, float], int]) -> dict[str, Any]:
+    """Row of a voltage window and a pitch limit in degrees."""
+    rig, (u_min, u_max), degrees = task
+    pitch = math.radians(degrees)
+    maneuver = Maneuver(duration=60.0, limits=Limits(u_min, u_max, -pitch, pitch), rig=rig)
+    trajectory, _ = time_planner(plan_fastest, maneuver)
+    return {
+        "u_min": u_min,
+        "u_max": u_max,
+        "pitch limit": degrees,
+        "spline": math.nan if trajectory is None else trajectory.duration,
+        "collocation": shortest_known(maneuver),
+    }
+
+
+def trade_off(args: Args, console: Console, engine: Engine) -> None:
     """Shortest duration of the paper's rotation for each pitch limit and voltage window."""
-    rows, rig = [], find_rig(args.rig)
-    for u_min, u_max in track(WINDOWS, "trade-off", console=console):
-        for degrees in PITCH_LIMITS_DEG:
-            pitch = math.radians(degrees)
-            if pitch > rig.pitch_limit + 1e-9:
-                continue
-            u = scale_window(rig, (u_min, u_max))
-            maneuver = Maneuver(duration=60.0, limits=Limits(*u, -pitch, pitch), rig=rig)
-            trajectory, _ = time_planner(plan_fastest, maneuver)
-            rows.append(
-                {
-                    "u_min": u[0],
-                    "u_max": u[1],
-                    "pitch limit": degrees,
-                    "spline": math.nan if trajectory is None else trajectory.duration,
-                    "collocation": shortest_known(maneuver),
-                }
-            )
+    rig = find_rig(args.rig)
+    limits = [degrees for degrees in PITCH_LIMITS_DEG if math.radians(degrees) <= rig.pitch_limit + 1e-9]
+    tasks = [(rig, scale_window(rig, window), degrees) for window in WINDOWS for degrees in limits]
+    rows = list(track_results(engine, plan_within, tasks, "trade-off", console))
     write_csv(args.out / "trade-off.csv", rows)
     picture = args.out / "planning.png"
     figures.save(draw_trade_off(rows), picture)
@@ -256,39 +289,48 @@ def draw_trade_off(rows: list[dict[str, Any]]) -> Any:
     return figure
 
 
-def methods(args: Args, console: Console) -> None:
+def fly_method(task: tuple[Rig, str, str, int]) -> dict[str, Any]:
+    """Row of a method, "in" ample time or "fastest", and of flights along its plan."""
+    rig, name, kind, draws = task
+    planner, duration = (plan, LEISURE) if kind == "in" else (plan_fastest, 2.0 * LEISURE)
+    maneuver = Maneuver(duration=duration, rig=rig)
+    planner(maneuver, name)  # compiles the kernels before the timing
+    trajectory, seconds = time_planner(planner, maneuver, name)
+    assert trajectory is not None
+    f = rig.thrust(trajectory.u)
+    hover = 0.5 * hover_input(maneuver.goal[1], maneuver.parameters)[0]
+    rate = np.diff(trajectory.u) / np.diff(trajectory.t)
+    return {
+        "method": name,
+        "asked": f"{LEISURE:g} s" if kind == "in" else kind,
+        "duration (s)": trajectory.duration,
+        "effort (N² s)": float(np.trapezoid(((f - hover) ** 2).sum(axis=0), trajectory.t)),
+        "peak pitch (deg)": float(np.degrees(np.abs(trajectory.x[4]).max())),
+        "RMS voltage rate (V/s)": float(np.sqrt((rate**2).mean())),
+        "planning (ms)": 1e3 * seconds,
+        **flights(trajectory, "lab", draws),
+    }
+
+
+def methods(args: Args, console: Console, engine: Engine) -> None:
     """Every method on the paper's maneuver: with ample time, and as fast as possible."""
-    rows = []
     names = [name for name in FASTEST if name != "auto"]
-    for name in track(names, "methods", console=console):
-        for kind, planner, duration in (("in", plan, LEISURE), ("fastest", plan_fastest, 2.0 * LEISURE)):
-            maneuver = Maneuver(duration=duration, rig=find_rig(args.rig))
-            planner(maneuver, name)  # compiles the kernels before the timing
-            trajectory, seconds = time_planner(planner, maneuver, name)
-            assert trajectory is not None
-            f = maneuver.rig.thrust(trajectory.u)
-            hover = 0.5 * hover_input(maneuver.goal[1], maneuver.parameters)[0]
-            rate = np.diff(trajectory.u) / np.diff(trajectory.t)
-            flown = flights(trajectory, "lab", args.draws)
-            rows.append(
-                {
-                    "method": name,
-                    "asked": f"{LEISURE:g} s" if kind == "in" else kind,
-                    "duration (s)": trajectory.duration,
-                    "effort (N² s)": float(np.trapezoid(((f - hover) ** 2).sum(axis=0), trajectory.t)),
-                    "peak pitch (deg)": float(np.degrees(np.abs(trajectory.x[4]).max())),
-                    "RMS voltage rate (V/s)": float(np.sqrt((rate**2).mean())),
-                    "planning (ms)": 1e3 * seconds,
-                    **flown,
-                }
-            )
+    tasks = [(find_rig(args.rig), name, kind, args.draws) for name in names for kind in ("in", "fastest")]
+    rows = list(track_results(engine, fly_method, tasks, "methods", console))
     write_csv(args.out / "methods.csv", rows)
     console.print(as_table(rows))
 
 
-def reserve(args: Args, console: Console) -> None:
+def fly_plan(task: tuple[str, Trajectory, str, int]) -> dict[str, Any]:
+    """Row of flights along a plan on a plant."""
+    name, trajectory, plant, draws = task
+    flown = flights(trajectory, plant, draws)
+    return {"reserve": name, "duration (s)": trajectory.duration, "plant": plant, **flown}
+
+
+def reserve(args: Args, console: Console, engine: Engine) -> None:
     """Flights of the paper's controller on `lab` and `rigid`, along fast plans with reserves of limits or of time."""
-    rows, requested = [], Maneuver(duration=2.0 * LEISURE, rig=find_rig(args.rig))
+    requested = Maneuver(duration=2.0 * LEISURE, rig=find_rig(args.rig))
     shortest = plan_fastest(requested).duration
     plans = [(f"{share:.0%} of the windows", plan_fastest(requested, reserve=share)) for share in RESERVES]
     plans += [
@@ -301,10 +343,8 @@ def reserve(args: Args, console: Console) -> None:
     except ValueError as error:
         plants.remove("rigid")
         console.print(str(error))
-    for name, trajectory in track(plans, "reserve", console=console):
-        for plant in plants:
-            flown = flights(trajectory, plant, args.draws)
-            rows.append({"reserve": name, "duration (s)": trajectory.duration, "plant": plant, **flown})
+    tasks = [(*named, plant, args.draws) for named in plans for plant in plants]
+    rows = list(track_results(engine, fly_plan, tasks, "reserve", console))
     write_csv(args.out / "reserve.csv", rows)
     console.print(as_table(rows))
 
@@ -348,7 +388,7 @@ def write_csv(path: Path, rows: Iterable[dict[str, Any]]) -> None:
         file.write(text.getvalue().encode())
 
 
-PARTS: dict[str, Callable[[Args, Console], None]] = {
+PARTS: dict[str, Callable[[Args, Console, Engine], None]] = {
     "robustness": robustness,
     "shortest": shortest,
     "trade-off": trade_off,
@@ -373,13 +413,15 @@ def run(args: Args) -> None:
     if args.seed < 0:
         raise ValueError(f"seed = {args.seed}: must be at least 0")
     find_rig(args.rig)
+    check_engine(args.engine, args.workers, args.address)
     check_folder("out", args.out)
     importlib.import_module("casadi")  # all parts require it, some only after minutes
     announce_replaced("heli-compare-planners", *(args.out / f"{part}.csv" for part in args.parts))
     console = Console()
-    for part in args.parts:
-        console.rule(part)
-        PARTS[part](args, console)
+    with open_engine(args.engine, args.workers, args.address) as engine:
+        for part in args.parts:
+            console.rule(part)
+            PARTS[part](args, console, engine)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ from heli_gym import Limits, Maneuver
 from heli_gym.baselines import plan
 from heli_gym.baselines.commands import compare_planners
 from heli_gym.baselines.commands.compare_planners import Args, meets_its_limits, random_maneuver
+from heli_gym.baselines.evaluation.engine import open_engine
 
 
 @pytest.mark.parametrize("seed", range(10))
@@ -37,8 +38,9 @@ def test_violated_limits_of_a_plan_are_detected():
 def test_results_are_written_and_printed(tmp_path):
     console = Console(record=True, width=200)
     args = Args(maneuvers=1, fastest=1, out=tmp_path)
-    compare_planners.robustness(args, console)
-    compare_planners.shortest(args, console)
+    with open_engine() as engine:
+        compare_planners.robustness(args, console, engine)
+        compare_planners.shortest(args, console, engine)
     with open(tmp_path / "robustness.csv") as file:
         rows = list(csv.DictReader(file))
     spare = [row for row in rows if float(row["duration / shortest known"]) >= 1.1]
@@ -48,3 +50,17 @@ def test_results_are_written_and_printed(tmp_path):
     assert len(ratios) == 2
     assert 1.0 < min(ratios) <= max(ratios) < 1.05
     assert "with 10 % to spare" in console.export_text()
+
+
+@pytest.mark.slow
+def test_several_processes_write_the_rows_of_one(tmp_path):
+    found = []
+    for workers in (1, 2):
+        args = Args(("robustness", "reserve"), maneuvers=3, draws=2, workers=workers, out=tmp_path / str(workers))
+        compare_planners.run(args)
+        rows = []
+        for part in args.parts:
+            with open(args.out / f"{part}.csv") as file:
+                rows += [{**row, "seconds": ""} for row in csv.DictReader(file)]
+        found.append(rows)
+    assert found[0] == found[1]
