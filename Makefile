@@ -8,9 +8,13 @@ BIN := $(VENV)/bin
 export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
-SEEDS ?= 0 1 2
 TUNED := feedforward+tvlqr lqi lag-lqr lag-lqi kalman-lqr
-TRAIN = $(BIN)/heli-train --resume
+# `make reproduce ENGINE=ray ADDRESS=auto`, or WORKERS=8 on this machine, gives the same results.
+ENGINE := local
+ADDRESS :=
+WORKERS := 1
+PARALLEL = --engine $(ENGINE) --workers $(WORKERS) $(if $(ADDRESS),--address $(ADDRESS))
+SWEEP = $(BIN)/heli-sweep --resume $(PARALLEL)
 METHOD := apg-feedforward+tvlqr
 ON_FLEET := feedforward+tvlqr hover-lqr lqi lag-lqr lag-lqi kalman-lqr gain-scheduled flatness pd-cascade linear-mpc \
   l1-adaptive adaptive-lqr adaptive-mpc
@@ -42,8 +46,7 @@ build/types:
 
 # Each seed of lab learns in two stages, and its network begins that of rigid. Then the fleet, one policy for any
 # maneuver, and the ablations.
-ANY := out/train/lab/$(METHOD)@lab-any-maneuver/0/best.json
-SHORT := --steps 5760000 --cell 64 --out out/ablation
+ANY := out/train/runs/lab/$(METHOD)@lab-any-maneuver/0/best.json
 
 reproduce: $(VENV)/dev
 	@echo "ten searches for weights, 21 training runs, four tables: some two hours of one idle core; may be interrupted"
@@ -53,30 +56,22 @@ reproduce: $(VENV)/dev
 	      --candidates 200 --population 20 --store || exit 1; \
 	  done; \
 	done
-	for seed in $(SEEDS); do \
-	  $(TRAIN) --seed $$seed --steps 96000000 --cost-weight 0.5 --out out/first && \
-	  $(TRAIN) --seed $$seed --init "out/first/lab/$(METHOD)@lab/$$seed/best.json" \
-	    --steps 24000000 --learning-rate 2e-3 --out out/train && \
-	  $(TRAIN) --seed $$seed --plant rigid --init "out/train/lab/$(METHOD)@lab-initialised/$$seed/best.json" \
-	    --steps 24000000 --out out/train || exit 1; \
+	for study in first-lab first-fleet; do \
+	  $(SWEEP) results/studies/$$study.toml --out out/first || exit 1; \
 	done
-	$(TRAIN) --plant fleet --rig fleet --cell 64 --steps 24000000 --out out/first
-	$(TRAIN) --plant fleet --rig fleet --cell 64 --init out/first/fleet.fleet/$(METHOD)/0/best.json \
-	  --steps 36000000 --learning-rate 2e-3 --out out/train
-	$(TRAIN) --reference drawn --out out/train
-	for seed in 0 1 2; do \
-	  $(TRAIN) --seed $$seed $(SHORT) && $(TRAIN) --seed $$seed $(SHORT) --no-memory && \
-	  $(TRAIN) --seed $$seed $(SHORT) --law sum && \
-	  $(TRAIN) --seed $$seed $(SHORT) --feature-groups error voltages || exit 1; \
+	for study in lab rigid fleet any-maneuver; do \
+	  $(SWEEP) results/studies/$$study.toml --out out/train || exit 1; \
 	done
-	$(TRAIN) --algo ppo --steps 5760000 --out out/ablation
+	for study in whole memory law features ppo; do \
+	  $(SWEEP) results/studies/ablation-$$study.toml --out out/ablation || exit 1; \
+	done
 	for plant in lab rigid; do \
-	  $(BIN)/heli-results --plant $$plant --methods "out/train/$$plant/$(METHOD)@$$plant-initialised" \
+	  $(BIN)/heli-results --plant $$plant --methods "out/train/runs/$$plant/$(METHOD)@$$plant-initialised" \
 	    --policies feedforward+tvlqr $(TUNED:%=%@PLANT) adaptive-mpc --oracle 20 --out out/results || exit 1; \
 	done
-	$(BIN)/heli-results --plant fleet --rig fleet --methods out/train/fleet.fleet/$(METHOD)-initialised \
+	$(BIN)/heli-results --plant fleet --rig fleet --methods out/train/runs/fleet.fleet/$(METHOD)-initialised \
 	  --against feedforward+tvlqr --policies $(ON_FLEET) --out out/results
-	$(BIN)/heli-results --methods out/ablation/lab/* --policies feedforward+tvlqr@PLANT --out out/results/ablation
+	$(BIN)/heli-results --methods out/ablation/runs/lab/* --policies feedforward+tvlqr@PLANT --out out/results/ablation
 	$(BIN)/python -m heli_gym.train.maneuvers --out out/results \
 	  --policies feedforward+tvlqr@lab kalman-lqr@lab adaptive-mpc residual "$(ANY)"
 
