@@ -37,7 +37,7 @@ MAX_PARAMETER = 1e6
 # Spread of the prior about the start: wider than that between identified rigs.
 SPREAD = MeasuredParameters(
     a1=0.3, a2=0.5, a3=0.5, b1=0.4, b2=0.4, b3=3.0, c1=0.1, c2=0.2, c3=0.2, exponent=0.2, reverse=0.3, mismatch=0.1,
-    lag=0.025, delay=0.02, pitch_zero=0.15, pitch_trim=0.5, voltage_limit=20.0, centrifugal=0.15, centre=0.1,
+    lag=0.025, delay=0.02, pitch_zero=0.15, pitch_trim=0.5, voltage_limit=20.0, centrifugal=0.3, centre=0.1,
     pitch_spin=0.3, gyro=0.8, pitch_speed=0.1,
 )  # fmt: skip
 LOW = MeasuredParameters(
@@ -229,6 +229,8 @@ def identify(
         for name in undetermined:
             theta[NAMES.index(name)] = centre[NAMES.index(name)]
         free = [name for name in free if name not in undetermined]
+        if not free:
+            raise ValueError("logs: must move more, for they determine no parameter")
         theta, covariance = problem.fit(theta, centre, free, progress=progress)
     tables = [log.table_elevation() for log in logs]
     table = float(np.median([angle for angle in tables if math.isfinite(angle)] or [start.table_elevation]))

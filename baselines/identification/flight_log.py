@@ -26,6 +26,8 @@ LOGS = Path(__file__).parent / "logs"  # simulated
 SAMPLE_TIME = 0.01  # s, grid of logs with shorter steps
 MOST_NUMBERS = 2**25  # of a matrix in a file
 MOST_SAMPLES = 2_000_000  # of a log: 5 hours at 10 ms
+LONGEST_STEP = 0.5  # s; longer ones are of another unit, or useless
+LARGEST_VOLTAGE = 100.0  # V, likewise
 LONGEST_GAP = 0.25  # s, longest gap to interpolate
 RATE_WINDOW = 0.21  # s, window of the polynomials for rates
 TABLE_MARGIN = math.radians(2.0)  # rad, above the table
@@ -183,7 +185,8 @@ class FlightLog:
             sample_time: in s.
 
         Raises:
-            ValueError: if the file is damaged, has another format, or lacks a column; the message lists its contents.
+            ValueError: if the file is damaged, has another format, or lacks a column, and the message lists its
+                contents; or if values or steps are beyond any rig's, as with another unit.
         """
         path = Path(path)
         tables = read_mapping(mapping) if mapping is not None else {}
@@ -416,6 +419,16 @@ def on_even_grid(values: dict[str, np.ndarray], sample_time: float | None, path:
             f"{str(path)!r}: gap of {steps[row]:g} s after t = {t[row]:g} s; must be cut into two logs there"
         )
     own = float(np.median(steps))
+    for name, largest, value, other in (
+        ("t", LONGEST_STEP, own, "ms"),
+        *((name, math.pi, float(np.abs(values[name]).max()), "deg") for name in ANGLES[1:]),
+        *((name, LARGEST_VOLTAGE, float(np.abs(values[name]).max()), "mV") for name in VOLTAGES),
+    ):
+        if value > largest:
+            what = f"steps of {value:g} s" if name == "t" else f"values up to {value:g}"
+            raise ValueError(
+                f"{str(path)!r}: {name} has {what}: must be at most {largest:.3g}; units: {name} = {other!r}?"
+            )
     if sample_time is None:
         sample_time = max(SAMPLE_TIME, own)
     elif not (is_finite(sample_time) and 1e-4 <= sample_time <= 1.0):

@@ -126,6 +126,9 @@ def test_rates_of_a_cubic_are_exact(tmp_path):
         ({"t": np.zeros(2001)}, "time must increase"),
         ({"t": np.concatenate((np.arange(1000), np.arange(3000, 4001))) * 0.002}, "gap of 4.002 s"),
         ({"pitch": np.full(2001, np.nan)}, "three rows of finite numbers"),
+        ({"pitch": 90.0 * np.sin(flown()["t"])}, "pitch has values up to .*units: pitch = .deg"),
+        ({"u_back": 4000.0 * np.ones(2001)}, "units: u_back = .mV"),
+        ({"t": 2.0 * np.arange(2001)}, "t has steps of 2 s.*units: t = .ms"),
     ],
 )
 def test_faulty_files_are_refused(tmp_path, change, message):
