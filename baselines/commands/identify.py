@@ -135,8 +135,11 @@ def run_design(args: Args) -> None:
     """Design an experiment, write its references and expected flight, print the expected errors."""
     out = args.out or Path("out/experiment.csv")
     check_folder("out", out.parent)
-    experiment = design(find_rig(args.rig), args.duration)
+    rig, plan = find_rig(args.rig), out.with_suffix(".npz")
+    announce_replaced("heli-identify", plan)
+    experiment = design(rig, args.duration)
     experiment.log.save(out)
+    experiment.trajectory(rig).save(plan)
     table = Table("parameter", "expected standard error", "share of the prior's spread")
     for name, error in experiment.standard_errors.items():
         table.add_row(name, f"{error:.2g}", f"{experiment.share_of_prior[name]:.2f}")
@@ -144,7 +147,8 @@ def run_design(args: Args) -> None:
     console.print(table)
     console.print(
         f"{log.duration:g} s, pitch {np.degrees(log.angles[2].min()):.1f}° to {np.degrees(log.angles[2].max()):.1f}°, "
-        f"voltages {log.voltages.min():.2f} V to {log.voltages.max():.2f} V\nreferences and expected flight: {out}"
+        f"voltages {log.voltages.min():.2f} V to {log.voltages.max():.2f} V\nreferences and expected flight: {out}\n"
+        f"the flight as a plan, for heli-export: {plan}"
     )
 
 

@@ -5,17 +5,20 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.signal import savgol_filter
 
 from heli_gym.baselines.identification.estimation import COEFFICIENTS, EFFECTS, LEAST_SIGMA, SPREAD, Shooting
 from heli_gym.baselines.identification.flight_log import FlightLog
 from heli_gym.baselines.identification.measured_model import NAMES, MeasuredParameters
 from heli_gym.baselines.identification.simulated import simulate_log
 from heli_gym.rig import Rig
+from heli_gym.trajectory import Trajectory
 
 LONGEST = 60.0  # s
 TONES = 12  # of each reference
 PITCH_BAND, ELEVATION_BAND = (0.016, 1.5), (0.04, 0.6)  # Hz; slow pitch makes travel fast
 CANDIDATES = 12  # number of random sets of phases
+SMOOTHING = 0.2  # s, of the encoder counts in the reference
 FADE = 2.0  # s, fade-in and fade-out of the references
 MODEL_ERROR = 3.0  # ratio of errors of measured flights, correlation included, to rounding
 
@@ -33,6 +36,18 @@ class Experiment:
     log: FlightLog
     standard_errors: dict[str, float]
     share_of_prior: dict[str, float]
+
+    def trajectory(self, rig: Rig) -> Trajectory:
+        """The expected flight as a reference for controllers, and for `heli-export`.
+
+        Its voltages are those that lead to it on the rig with lag and dead time, so `feedforward+tvlqr` flies it.
+        """
+        log = self.log
+        n = 2 * round(0.5 * SMOOTHING / log.sample_time) + 1
+        x = np.empty((6, len(log)))
+        x[0::2] = savgol_filter(log.angles, n, 3, axis=1)
+        x[1::2] = savgol_filter(log.angles, n, 3, deriv=1, delta=log.sample_time, axis=1)
+        return Trajectory(log.t, x, log.voltages, rig.limits, rig)
 
 
 def parameters_of(rig: Rig) -> tuple[MeasuredParameters, float]:

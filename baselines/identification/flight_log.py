@@ -198,6 +198,10 @@ class FlightLog:
                 if name not in known:
                     raise ValueError(f"{table}: {name!r} must be one of {', '.join(known)}")
         held = read_csv(path) if path.suffix.lower() in (".csv", ".txt") else read_mat(path)
+        for name in set(known) - set(held) - set(merged["columns"]):
+            same = [key for key in held if key.lower() == name]
+            if len(same) == 1:
+                held[name] = held.pop(same[0])
         values = {name: column(held, name, merged, path) for name in known if is_wanted(held, name, merged["columns"])}
         for name in ("t", *ANGLES):
             if name not in values:
@@ -309,6 +313,8 @@ def read_csv(path: Path) -> dict[str, np.ndarray]:
         names = [f"column[{i}]" for i in range(len(names))]
     else:
         lines = lines[1:]
+    if separator_or_blanks != ",":
+        lines = [line.replace(",", ".") for line in lines]  # decimal commas
     rows = np.empty((len(lines), len(names)))
     for i, line in enumerate(lines):
         cells = line.split(separator_or_blanks)

@@ -1,12 +1,17 @@
 """The experiment meets its limits and prints its expected errors."""
 
+import shutil
+
 import numpy as np
 import pytest
 
+from heli_gym import Plant, Trajectory
+from heli_gym.baselines.commands import export
 from heli_gym.baselines.commands import identify as command
 from heli_gym.baselines.identification.estimation import identify
 from heli_gym.baselines.identification.experiment import MODEL_ERROR, design, multisine, parameters_of
 from heli_gym.baselines.identification.flight_log import FlightLog
+from heli_gym.env import Heli3DOFEnv
 from heli_gym.rig import find_rig
 
 
@@ -55,3 +60,30 @@ def test_the_command_writes_references_and_the_expected_flight(tmp_path, capsys)
     log = FlightLog.load(tmp_path / "experiment.csv")
     assert set(log.references) == {"pitch_ref", "elevation_ref"}
     assert "expected standard error" in capsys.readouterr().out
+
+
+@pytest.mark.skipif(shutil.which("cc") is None, reason="no C compiler")
+def test_the_experiment_flown_by_the_exported_c_controller_gives_the_coefficients_within_the_expected_errors(tmp_path):
+    rig = find_rig("ntnu")
+    command.main(command.Args(design=True, rig="ntnu", duration=40.0, out=tmp_path / "experiment.csv"))
+    export.main(export.Args(str(tmp_path / "experiment.npz"), out=tmp_path, control_period=0.01))
+    loaded, number = export.load_controller(tmp_path, "double")
+    reference = Trajectory.load(tmp_path / "experiment.npz")
+    env = Heli3DOFEnv(Plant.from_rig(rig, table=None), reference, 0.01, rig=rig)
+    _, info = env.reset(seed=0)
+    loaded.heli_reset()
+    angles, voltages, u, over = [], [], (number * 2)(), False
+    while not over:
+        loaded.heli_step(info["time"], (number * 6)(*info["measurement"]), u)
+        angles.append(info["measurement"][0::2])
+        _, _, terminated, truncated, info = env.step(env.to_action(np.array(u[:])))
+        voltages.append(info["voltage"])
+        over = terminated or truncated
+    assert not terminated
+    log = FlightLog(0.01 * np.arange(len(angles)), np.array(angles).T, np.array(voltages).T)
+    found, expected = identify([log], "ntnu", fit_share=1.0), design(rig, 40.0).standard_errors
+    parameters, voltage = parameters_of(rig)
+    unit = (found.hover_voltage / voltage) ** parameters.exponent
+    for name in ("a1", "a2", "a3", "b1", "b2", "b3"):
+        true = getattr(parameters, name) * (unit if name.startswith("b") else 1.0)
+        assert abs(getattr(found.parameters, name) - true) < 3.0 * expected[name]

@@ -200,3 +200,10 @@ def test_single_outliers_are_bridged_and_frozen_pieces_are_no_flight(tmp_path):
     frozen = FlightLog(log.t, angles, voltages)
     assert frozen.frozen()[250:319].all() and not frozen.frozen()[:249].any()
     assert not frozen.airborne()[250:369].any() and frozen.airborne()[371:].all()
+
+
+def test_decimal_commas_and_capitals(tmp_path):
+    columns = {name.capitalize(): values for name, values in flown().items()}
+    path = write_csv(tmp_path / "a.csv", columns, ";")
+    path.write_text(path.read_text().replace(".", ","))
+    np.testing.assert_allclose(FlightLog.load(path).angles[0], 0.3 * FlightLog.load(path).t, atol=1e-12)
