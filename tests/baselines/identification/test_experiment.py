@@ -62,6 +62,7 @@ def test_the_command_writes_references_and_the_expected_flight(tmp_path, capsys)
     assert "expected standard error" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("cc") is None, reason="no C compiler")
 def test_the_experiment_flown_by_the_exported_c_controller_gives_the_coefficients_within_the_expected_errors(tmp_path):
     rig = find_rig("ntnu")
