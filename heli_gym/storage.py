@@ -112,7 +112,10 @@ def check_folder(name: str, path: str | os.PathLike) -> None:
     path = Path(path)
     if "\0" in str(path):
         raise ValueError(f"{name} = {str(path)!r}: must be a path, without null characters")
-    nearest = next(folder for folder in (path, *path.absolute().parents) if folder.exists())
+    # a link to nothing counts, since no folder can be made in its place
+    nearest = next(folder for folder in (path, *path.absolute().parents) if os.path.lexists(folder))
+    with suppress(FileNotFoundError, NotADirectoryError):
+        os.lstat(path)  # raises OSError for a name that is too long, a loop of links, or a folder that is not open
     if not nearest.is_dir():
         raise ValueError(f"{name} = {str(path)!r}: must be a folder, but {str(nearest)!r} is a file")
     try:

@@ -1,15 +1,15 @@
 """Figures of docs/reliability.md: `python benchmarks/reliability PART [--quick] [--seed N]`.
 
-PART is one of fuzz, invocations, mutations, determinism, kills, soak, numbers, caches. Each prints its figures and ends
-with status 1 if one of them is not as it must be. --quick takes about a minute; without it, the figures are those of
-the manual.
+PART is one of fuzz, invocations, mutations, determinism, kills, soak, numerics, caches. Each prints its figures, and
+ends with status 1 if one of them is not as it must be. --quick takes about a minute; without it, the figures are those
+of the manual.
 """
 
 import argparse
 import importlib
 import sys
 
-PARTS = ("fuzz", "invocations", "mutations", "determinism", "kills", "soak", "numbers", "caches")
+PARTS = ("fuzz", "invocations", "mutations", "determinism", "kills", "soak", "numerics", "caches")
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -215,7 +215,8 @@ def is_accepted(status: int | None) -> bool:
 def names_cause(arguments: list[str], said: str) -> bool:
     """Whether a line names an option, or a value, of the arguments."""
     words = [argument.lstrip("-").partition("=")[0] for argument in arguments]
-    return not any(words) or any(w[:12] in said or w.replace("-", "_") in said for w in words if w)
+    words += [part for argument in arguments if argument.startswith("/") for part in Path(argument).parts[2:]]
+    return not any(words) or any(word[:8] in said or word.replace("-", "_") in said for word in words if word)
 
 
 def judge(program: str, arguments: list[str], status: int | None, said: str, before: dict, after: dict) -> str:

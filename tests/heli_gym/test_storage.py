@@ -130,6 +130,13 @@ def test_a_folder_that_cannot_be_written_to_is_refused_before_anything_is_made(t
     (tmp_path / "file").write_bytes(b"")
     with pytest.raises(ValueError, match=r"out = .*/x': must be a folder, but .*file' is a file"):
         check_folder("out", tmp_path / "file" / "x")
+    (tmp_path / "broken").symlink_to("nowhere/at/all")
+    with pytest.raises(ValueError, match=r"out = .*broken/x': must be a folder, but .*broken' is"):
+        check_folder("out", tmp_path / "broken" / "x")
+    (tmp_path / "loop").symlink_to("loop")
+    for unusable in (tmp_path / "loop" / "x", tmp_path / ("x" * 300)):
+        with pytest.raises(OSError, match=r"symbolic links|too long"):
+            check_folder("out", unusable)
     with pytest.raises(ValueError, match=r"out = 'a.x00b': must be a path"):
         check_folder("out", "a\0b")
     with pytest.raises(OSError) as refusal:

@@ -1,0 +1,89 @@
+"""Caches of compiled functions: shared at the start, unwritable, damaged. The flight takes place, with one warning."""
+
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+CODE = (
+    "import hashlib, numpy as np; from heli_gym.env import Heli3DOFEnv; e = Heli3DOFEnv();"
+    "o, i = e.reset(seed=1); s = [e.step(np.array([0.1, 0.2]))[4]['state'] for _ in range(20)];"
+    "print(hashlib.sha256(np.array(s).tobytes()).hexdigest())"
+)
+NOBODY = 65534
+
+
+def fly(cache: Path | None, **more: str) -> subprocess.Popen:
+    """Start a process that flies with its cache in a folder."""
+    environment = {name: value for name, value in os.environ.items() if name != "NUMBA_CACHE_DIR"} | more
+    if cache is not None:
+        environment["NUMBA_CACHE_DIR"] = str(cache)
+    return subprocess.Popen(
+        [sys.executable, "-W", "always", "-c", CODE],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=environment,
+        cwd="/",
+    )
+
+
+def outcome(process: subprocess.Popen) -> tuple[str, int, str]:
+    """Digest of the flight, number of warnings on the cache, and all that was said on standard error."""
+    out, said = process.communicate()
+    return out.strip() if process.returncode == 0 else "failed", said.count("RuntimeWarning: the cache"), said
+
+
+def damage(cache: Path, rng: random.Random) -> None:
+    """Damage all files of a cache at random."""
+    for path in (path for path in cache.rglob("*") if path.is_file()):
+        data = bytearray(path.read_bytes())
+        kind = rng.randrange(4)
+        if kind == 0:
+            data = data[: rng.randrange(len(data))]
+        elif kind == 1:
+            data[:] = rng.randbytes(len(data))
+        elif kind == 2:
+            for _ in range(20):
+                data[rng.randrange(len(data))] ^= 255
+        else:
+            data = bytearray()
+        path.write_bytes(data)
+
+
+def main(quick: bool, seed: int, only: str) -> int:
+    """Run the part."""
+    rng, bad = random.Random(seed), 0
+
+    def check(title: str, found: list[tuple[str, int, str]], warnings: int | None) -> None:
+        nonlocal bad
+        digests, counts = {one[0] for one in found}, sorted({one[1] for one in found})
+        good = digests == {expected} and (warnings is None or counts == [warnings])
+        bad += not good
+        same = "equal" if digests == {expected} else digests
+        print(f"{title}: {len(found)} flights, {same}; warnings each: {counts}")
+        if not good:
+            print("    " + found[0][2].strip()[-300:])
+
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        count = 2 if quick else 6
+        (folder / "shared").mkdir()
+        started = [fly(folder / "shared") for _ in range(count)]
+        found = [outcome(process) for process in started]
+        expected = found[0][0]
+        bad += expected == "failed"
+        check("processes that start at once with an empty cache", found, 0)
+        check("one more with that cache", [outcome(fly(folder / "shared"))], 0)
+        for k in range(1 if quick else 5):
+            shutil.copytree(folder / "shared", folder / f"damaged{k}")
+            damage(folder / f"damaged{k}", rng)
+            check("damaged cache", [outcome(fly(folder / f"damaged{k}"))], None)
+            check("the next flight with it", [outcome(fly(folder / f"damaged{k}"))], None)
+        (folder / "file").write_text("")
+        check("cache in a file's place", [outcome(fly(folder / "file"))], 1)
+        check("cache where the system takes no files", [outcome(fly(Path("/proc/self/cache")))], 1)
+    return int(bad > 0)
