@@ -1,5 +1,6 @@
 """Atomic writes of files, locks for files that are read, changed and written back, and readers of untrusted files."""
 
+import errno
 import json
 import math
 import os
@@ -25,9 +26,15 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
     """Open a temporary file for writing, and rename it to `path` when the block succeeds. Missing folders are made.
 
     Any number of threads and processes may write the same file: one of them wins. Temporary files of killed processes
-    are removed by the next process that writes the file.
+    are removed by the next process that writes the file. A link is followed; a device or a pipe is written to directly.
     """
-    path = Path(path)
+    path = Path(os.path.realpath(path))
+    if path.is_symlink():
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), str(path))
+    if path.exists() and not path.is_file() and not path.is_dir():
+        with open(path, "wb") as file:
+            yield file
+        return
     path.parent.mkdir(parents=True, exist_ok=True)
     remove_unfinished(path)
     unfinished = path.with_name(f".{path.name}.{os.getpid()}-{secrets.token_hex(4)}.tmp")

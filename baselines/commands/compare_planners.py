@@ -62,6 +62,9 @@ LEISURE = 12.0  # s; every method can plan the paper's maneuver in this time
 START_SPREAD_DEG = 5.0
 
 
+MOST = 10**6  # maneuvers, draws
+
+
 @dataclass
 class Args:
     """Compare the planners with each other and with direct collocation."""
@@ -408,8 +411,8 @@ def run(args: Args) -> None:
     if not args.parts:
         raise ValueError("parts = (): must name at least one")
     for name in ("maneuvers", "fastest", "draws"):
-        if getattr(args, name) < 1:
-            raise ValueError(f"{name} = {getattr(args, name)}: must be at least 1")
+        if not 1 <= getattr(args, name) <= MOST:
+            raise ValueError(f"{name} = {getattr(args, name)}: must be at least 1 and at most {MOST}")
     if args.seed < 0:
         raise ValueError(f"seed = {args.seed}: must be at least 0")
     find_rig(args.rig)

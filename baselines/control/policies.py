@@ -40,6 +40,7 @@ def residual(reference: Trajectory, control_period: float, rig: Rig) -> Policy:
     )
 
 
+PERIODS = (1e-4, 1.0)  # s, control periods
 SAFE = "+safe"  # suffix of the name of a policy behind a `SafetyFilter`
 POLICIES: dict[str, Callable[..., Policy]] = {
     "open-loop": open_loop,
@@ -93,12 +94,15 @@ def make_policy(
 
     Raises:
         ValueError: for an unknown name; weights of another type; weights or a network for another rig; a control period
-            that is not finite and positive; voltage limits that are not finite and increasing.
+            that is out of range; voltage limits that are not finite and increasing.
     """
     if not isinstance(reference, Trajectory):
         raise ValueError(f"reference = {shown(reference)}: must be a Trajectory")
-    if not (is_number(control_period) and control_period > 0.0):
-        raise ValueError(f"control_period = {shown(control_period)}: must be a positive, finite number of seconds")
+    shortest, longest = PERIODS
+    if not (is_number(control_period) and shortest <= control_period <= longest):
+        raise ValueError(
+            f"control_period = {shown(control_period)}: must be at least {shortest:g} and at most {longest:g} s"
+        )
     if parameters is not None and rig is not None:
         raise ValueError(f"parameters = {shown(parameters)}: must not be given together with a rig")
     rig = assumed_rig(reference, parameters if rig is None else rig)
@@ -113,7 +117,7 @@ def make_policy(
         policy = load_policy(name, reference, control_period, rig)
     else:
         kind, _, plant = str(name).partition("@")
-        if kind not in POLICIES or (plant and kind not in WEIGHTS):
+        if kind not in POLICIES or ("@" in str(name) and not (plant and kind in WEIGHTS)):
             known = ", ".join(map(repr, POLICIES))
             raise ValueError(f"name = {shown(name)}: must be one of {known}, or the path of a learned policy, .json")
         if weights is None and plant:

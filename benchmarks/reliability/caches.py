@@ -1,5 +1,6 @@
 """Caches of compiled functions: shared at the start, unwritable, damaged. The flight takes place, with one warning."""
 
+import importlib.util
 import os
 import random
 import shutil
@@ -7,6 +8,8 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import heli_gym
 
 CODE = (
     "import hashlib, numpy as np; from heli_gym.env import Heli3DOFEnv; e = Heli3DOFEnv();"
@@ -35,6 +38,33 @@ def outcome(process: subprocess.Popen) -> tuple[str, int, str]:
     """Digest of the flight, number of warnings on the cache, and all that was said on standard error."""
     out, said = process.communicate()
     return out.strip() if process.returncode == 0 else "failed", said.count("RuntimeWarning: the cache"), said
+
+
+def fly_read_only(folder: Path) -> subprocess.Popen | None:
+    """Fly from a read-only copy of the package, without HOME and not as root; None where that cannot be done."""
+    folder.mkdir()
+    site = folder / "site"
+    package = Path(heli_gym.__file__).parent
+    shutil.copytree(package, site / "heli_gym", ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("baselines", "train"):
+        source = Path(importlib.util.find_spec(f"heli_gym.{name}").submodule_search_locations[0])
+        shutil.copytree(source, site / "heli_gym" / name, ignore=shutil.ignore_patterns("__pycache__"))
+    for path in (*site.rglob("*"), site):
+        path.chmod(0o555 if path.is_dir() else 0o444)
+    folder.chmod(0o755)
+    libraries = [path for path in sys.path if path.endswith("site-packages")]
+    environment = {"PATH": os.environ["PATH"], "PYTHONPATH": os.pathsep.join([str(site), *libraries])}
+    user = NOBODY if os.getuid() == 0 else None
+    system = f"/usr/bin/python3.{sys.version_info[1]}"
+    for python in (sys.executable, system):
+        arguments = {"env": environment, "cwd": "/", "user": user, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+        try:
+            code = "import sys, numba; sys.exit(not numba)"
+            if subprocess.run([python, "-c", code], **arguments).returncode == 0:  # type: ignore[call-overload]
+                return subprocess.Popen([python, "-W", "always", "-c", CODE], text=True, **arguments)  # type: ignore
+        except OSError:
+            continue
+    return None
 
 
 def damage(cache: Path, rng: random.Random) -> None:
@@ -70,6 +100,7 @@ def main(quick: bool, seed: int, only: str) -> int:
 
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
+        folder.chmod(0o755)
         count = 2 if quick else 6
         (folder / "shared").mkdir()
         started = [fly(folder / "shared") for _ in range(count)]
@@ -83,6 +114,11 @@ def main(quick: bool, seed: int, only: str) -> int:
             damage(folder / f"damaged{k}", rng)
             check("damaged cache", [outcome(fly(folder / f"damaged{k}"))], None)
             check("the next flight with it", [outcome(fly(folder / f"damaged{k}"))], None)
+        read_only = fly_read_only(folder / "read-only")
+        if read_only is None:
+            print("read-only installation: left out, for another user cannot run this Python")
+        else:
+            check("read-only installation, without HOME, not as root", [outcome(read_only)], 1)
         (folder / "file").write_text("")
         check("cache in a file's place", [outcome(fly(folder / "file"))], 1)
         check("cache where the system takes no files", [outcome(fly(Path("/proc/self/cache")))], 1)

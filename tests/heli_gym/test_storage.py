@@ -150,3 +150,25 @@ def test_a_folder_that_cannot_be_written_to_is_refused_before_anything_is_made(t
     with pytest.raises(OSError, match="No space left on device") as refusal:
         check_folder("out", tmp_path / "new")
     assert refusal.value.filename == str(tmp_path / "new")
+
+
+def test_a_link_is_followed_and_a_device_or_pipe_is_written_to_and_not_replaced(tmp_path):
+    (tmp_path / "target").write_bytes(b"old")
+    (tmp_path / "link").symlink_to("target")
+    with atomic_write(tmp_path / "link") as file:
+        file.write(b"new")
+    assert (tmp_path / "link").is_symlink() and (tmp_path / "target").read_bytes() == b"new"
+    (tmp_path / "loop").symlink_to("loop")
+    with pytest.raises(OSError, match="symbolic links"), atomic_write(tmp_path / "loop") as file:
+        file.write(b"new")
+    os.mkfifo(tmp_path / "pipe")
+    with ThreadPoolExecutor(1) as pool:
+        read = pool.submit((tmp_path / "pipe").read_bytes)
+        with atomic_write(tmp_path / "pipe") as file:
+            file.write(b"through")
+        assert read.result() == b"through"
+    assert (tmp_path / "pipe").is_fifo()
+    with pytest.raises(OSError, match="No space left"), atomic_write("/dev/full") as file:
+        file.write(b"x" * 10)
+    assert os.path.exists("/dev/full") and not os.path.isfile("/dev/full")
+    assert sorted(os.listdir(tmp_path)) == ["link", "loop", "pipe", "target"]
