@@ -3,6 +3,7 @@
 import logging
 import warnings
 from collections.abc import Callable, Collection, Mapping
+from contextlib import suppress
 from functools import cache
 from hashlib import sha256
 from types import CodeType, FunctionType, MappingProxyType
@@ -109,7 +110,10 @@ class Compiler:
 
 
 class Cache:
-    """Numba's cache of a function; where reading or writing fails, it warns and the function is compiled again."""
+    """Numba's cache of a function; where reading or writing fails, it warns and the function is compiled again.
+
+    An index that cannot be read is replaced.
+    """
 
     def __init__(self, cache: Any) -> None:
         self.cache = cache
@@ -124,6 +128,8 @@ class Cache:
         except Exception as error:  # numba unpickles the file: a damaged one raises anything
             warn_uncached(f"cannot be read: {error!r}")
             loaded = None
+            with suppress(Exception):
+                self.cache.flush()  # an empty index: the next process finds what this one saves
         if loaded is None:
             announce_compilation()
         return loaded

@@ -113,13 +113,13 @@ def main(quick: bool, seed: int, only: str) -> int:
             shutil.copytree(folder / "shared", folder / f"damaged{k}")
             damage(folder / f"damaged{k}", rng)
             check("damaged cache", [outcome(fly(folder / f"damaged{k}"))], None)
-            check("the next flight with it", [outcome(fly(folder / f"damaged{k}"))], None)
+            check("the next flight with it", [outcome(fly(folder / f"damaged{k}"))], 0)
         read_only = fly_read_only(folder / "read-only")
         if read_only is None:
             print("read-only installation: left out, for another user cannot run this Python")
         else:
             check("read-only installation, without HOME, not as root", [outcome(read_only)], 1)
         (folder / "file").write_text("")
-        check("cache in a file's place", [outcome(fly(folder / "file"))], 1)
-        check("cache where the system takes no files", [outcome(fly(Path("/proc/self/cache")))], 1)
+        check("cache in a file's place", [outcome(fly(folder / "file"))], None)
+        check("cache where the system takes no files", [outcome(fly(Path("/proc/self/cache")))], None)
     return int(bad > 0)
