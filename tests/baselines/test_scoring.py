@@ -95,6 +95,8 @@ def test_invalid_policies_and_arguments_are_named(arguments, words):
         ("A2C", {}),
         ("SAC", {"buffer_size": 10}),
         ("TD3", {"buffer_size": 10}),
+        ("DDPG", {"buffer_size": 10}),
+        ("TQC", {"buffer_size": 10}),
         ("PPO", {"policy_kwargs": {"activation_fn": "ReLU", "net_arch": [32, 16]}}),
         ("SAC", {"buffer_size": 10, "use_sde": True}),
     ],
@@ -106,7 +108,8 @@ def test_a_stable_baselines3_model_and_its_file_act_equally(tmp_path, env, obser
     options = dict(options)
     if "policy_kwargs" in options:
         options["policy_kwargs"] = {**options["policy_kwargs"], "activation_fn": torch.nn.ReLU}
-    model = getattr(sb3, algorithm)("MlpPolicy", env, device="cpu", seed=1, **options)
+    library = pytest.importorskip("sb3_contrib") if algorithm == "TQC" else sb3
+    model = getattr(library, algorithm)("MlpPolicy", env, device="cpu", seed=1, **options)
     model.save(tmp_path / "agent.zip")
     pilot = make_pilot(tmp_path / "agent.zip", REFERENCE)
     expected, _ = model.predict(observations, deterministic=True)
