@@ -51,6 +51,10 @@ PATH_LIMITS = {  # the optional fields of Limits, and their units in words
 }
 
 
+LEAST_PITCH = 1e-4  # rad, of the pitch window at either side
+LEAST_WINDOW = 1e-3  # V, of the voltage window
+
+
 @dataclass(frozen=True)
 class Limits:
     """Limits of a planned flight: voltages and pitch, (9) by default, and optional further limits.
@@ -84,6 +88,8 @@ class Limits:
             required = name in ("u_min", "u_max", "pitch_min", "pitch_max")
             if not (is_number(value) or (value is None and not required)):
                 raise ValueError(f"{name} = {shown(value)}: must be a finite number")
+            if name.startswith("pitch") and not abs(value) >= LEAST_PITCH:
+                raise ValueError(f"{name} = {value!r}: must be at least {LEAST_PITCH:g} rad in magnitude")
         for name in ("travel_rate", "elevation_rate", "slew"):
             value = getattr(self, name)
             if value is not None and not value > 0.0:
@@ -94,8 +100,11 @@ class Limits:
                 f"elevation_min = {low:g} rad and elevation_max = {high:g} rad: elevation_min must be less than "
                 "elevation_max"
             )
-        if not self.u_min < self.u_max:
-            raise ValueError(f"u_min = {self.u_min:g} V and u_max = {self.u_max:g} V: u_min must be less than u_max")
+        if not self.u_max - self.u_min >= LEAST_WINDOW:
+            raise ValueError(
+                f"u_min = {self.u_min:g} V and u_max = {self.u_max:g} V: u_min must be less than u_max, by at least "
+                f"{LEAST_WINDOW:g} V"
+            )
         if not -math.pi / 2 < self.pitch_min < 0.0 < self.pitch_max < math.pi / 2:
             raise ValueError(
                 f"pitch_min = {self.pitch_min:g} rad and pitch_max = {self.pitch_max:g} rad: "

@@ -56,6 +56,7 @@ from heli_gym.vector_env import Heli3DOFVectorEnv
 NOT_COMPARED = ("middle-voltage", "zero", "residual-rigid", "residual-any")
 COMPARED = tuple(f"{name}@PLANT" if name in WEIGHTS else name for name in POLICIES if name not in NOT_COMPARED)
 SETTINGS = "settings.json"
+MOST_EPISODES = 10**7
 ON_A_PAGE = 6  # greatest number of policies
 COLUMNS = (
     "rank",
@@ -108,6 +109,12 @@ def check(args: Args) -> tuple[list[Condition], Settings]:
     for name, least in (("episodes", 2), ("seed", 0), ("batch", 1)):
         if getattr(args, name) < least:
             raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least}")
+    for name in ("episodes", "batch"):
+        if getattr(args, name) > MOST_EPISODES:
+            raise ValueError(f"{name} = {getattr(args, name)}: must be at most {MOST_EPISODES}")
+    kinds = {policy.partition("@")[0] for policy in args.policies}
+    if args.against != Args.against and args.against.partition("@")[0] not in kinds:
+        raise ValueError(f"against = {args.against!r}: must be one of policies = {args.policies}")
     check_engine(args.engine, args.workers, args.address)
     for name in ("policies", "plants", "references"):
         values = getattr(args, name)

@@ -64,6 +64,8 @@ def run(args: Args) -> None:
         raise ValueError(f"out = {str(out)!r}: must end in .png or .pdf")
     if not (math.isfinite(args.u_min) and math.isfinite(args.u_max) and args.u_min < args.u_max):
         raise ValueError(f"u_min = {args.u_min:g}, u_max = {args.u_max:g}: must be finite, the first the smaller")
+    if not (math.isfinite(args.piece) and args.piece > 0.0):
+        raise ValueError(f"piece = {args.piece:g}: must be a positive number of seconds")
     check_folder("out", out.parent)
     log = find_log(args.log, mapping=args.mapping, sample_time=args.sample_time)
     flown = None

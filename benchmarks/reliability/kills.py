@@ -13,7 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-MOMENTS = 100
+MOMENTS, SHARE = 100, 1.0
 CODE = (
     "import sys, numba; from pathlib import Path; sys.argv[0] = sys.argv.pop(1);"
     "from heli_gym.baselines.control import weights; weights.TUNED = Path(sys.argv.pop(1)) / 'tuned';"
@@ -113,7 +113,7 @@ def main(quick: bool, seed: int, only: str) -> int:
             again = Path(place) / "again"
             again.mkdir()
             whole, took = finish(job, again)
-            moments = 1 if quick else MOMENTS // 4
+            moments = 1 if quick else max(int(SHARE * MOMENTS / 4), 1)
             equal = killed = 0
             for k in range(moments):
                 folder = Path(place) / str(k)

@@ -26,7 +26,7 @@ from heli_gym.baselines.identification.flight_log import FlightLog, read_mapping
 from heli_gym.rig import RIGS, Rig
 from heli_gym.storage import read_json_object
 
-MUTATIONS = 1000
+MUTATIONS, SHARE = 1000, 1.0
 MOST_BYTES = 2**29  # growth of the process's peak memory
 HOSTILE = (
     '{"a":' * 100_000 + "1" + "}" * 100_000,
@@ -316,7 +316,7 @@ def main(quick: bool, seed: int, only: str) -> int:
                 (folder / name).write_bytes(content)
             wholes.append(kind.load(folder / kind.target))
         peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-        count = 5 if quick else -(-MUTATIONS // len(kinds))
+        count = 5 if quick else int(-(-SHARE * MUTATIONS // len(kinds)))
         for k, (kind, whole) in enumerate(zip(kinds, wholes)):
             found: collections.Counter = collections.Counter()
             for number in range(count):

@@ -10,6 +10,7 @@ from heli_gym.env import Heli3DOFEnv
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 VECTOR_STEPS, SCALAR_STEPS, ENVIRONMENTS = 1_000_000_000, 10_000_000, 10_000
+SHARE = 1.0
 N, PIECES = 4096, 20
 MOST_GROWTH = 5.0  # MB
 MOST_DRIFT = 4.0  # standard errors between the first and the last third
@@ -97,12 +98,12 @@ def make_and_close(count: int) -> bool:
 
 def main(quick: bool, seed: int, only: str) -> int:
     """Run the part."""
-    share = 0.002 if quick else 1.0
+    share = 0.002 if quick else SHARE
     good = True
     if only in ("", "vector"):
         good &= soak_vector(int(share * VECTOR_STEPS), seed)
     if only in ("", "scalar"):
         good &= soak_scalar(int(share * SCALAR_STEPS), seed)
     if only in ("", "environments"):
-        good &= make_and_close(400 if quick else ENVIRONMENTS)
+        good &= make_and_close(400 if quick else int(share * ENVIRONMENTS))
     return int(not good)
