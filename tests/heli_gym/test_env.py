@@ -28,6 +28,7 @@ from heli_gym import HelicopterParameters, Trajectory
 from heli_gym.baselines import ManeuverSampler, fly, make_policy
 from heli_gym.env import REFERENCES, Heli3DOFEnv, find_reference
 from heli_gym.plant import Plant, Push, Sensors
+from heli_gym.validation import shown
 
 REFERENCE = find_reference("travel-360")
 VARIANTS = [{}, {"start_spread_deg": 5.0}, {"control_period": 0.03, "voltage_limits": (-1.0, 10.0), "pitch_limit": 0.9}]
@@ -618,7 +619,7 @@ REFUSED = [
 
 @pytest.mark.parametrize(("name", "value"), REFUSED)
 def test_a_bad_argument_is_named_with_its_value(name, value):
-    with pytest.raises(ValueError, match=re.escape(f"{name} = {value!r}")):
+    with pytest.raises(ValueError, match=re.escape(f"{name} = {shown(value)}")):
         Heli3DOFEnv(**{name: value})
 
 
