@@ -482,9 +482,12 @@ class Plant:
 
     @cached_property
     def is_noisy(self) -> bool:
-        """Whether a flight is random after its start."""
-        noise = 0.0 if self.sensors is None else self.sensors.noise
-        return noise != 0.0 or any(isinstance(value, Gust) for value in self.disturbances)
+        """Whether a flight is random after its start, in any draw."""
+        return any(
+            (p.sensors is not None and p.sensors.noise != 0.0)
+            or any(isinstance(value, Gust) for value in p.disturbances)
+            for p in self.alternatives
+        )
 
     @cached_property
     def stiffness(self) -> float:
@@ -494,9 +497,12 @@ class Plant:
 
     @cached_property
     def is_plain(self) -> bool:
-        """Whether the plant is only equation (3), integrated in one Runge-Kutta step per control period."""
-        same = replace(self, parameters=HelicopterParameters(), sensors=None, rotors=Rotors(lag=self.rotors.lag))
-        return same == Plant() and self.stiffness <= PLAIN_FRICTION
+        """Whether every draw is only equation (3), integrated in one Runge-Kutta step per control period."""
+        same = (
+            replace(p, parameters=HelicopterParameters(), sensors=None, rotors=Rotors(lag=p.rotors.lag))
+            for p in self.alternatives
+        )
+        return all(p == Plant() for p in same) and self.stiffness <= PLAIN_FRICTION
 
     @cached_property
     def is_general(self) -> bool:

@@ -280,6 +280,8 @@ def standings(rows: Sequence[dict[str, Any]], against: str) -> list[dict[str, An
     by_policy: dict[str, dict[int, dict[str, Any]]] = {}
     for row in rows:
         by_policy.setdefault(row["policy"], {})[row["seed"]] = row
+    if not by_policy:
+        return []
     common = sorted(set.intersection(*(set(flights) for flights in by_policy.values())))
     if not common:
         return []

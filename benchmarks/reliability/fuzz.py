@@ -162,6 +162,7 @@ class Draw:
 
     def maybe_range(self, name: str, low: float, high: float) -> Any:
         """Number, or a range of draws."""
+        self.names.add(name)
         if self.rng.random() < 0.2:
             ends = sorted(self.rng.uniform(low, high) for _ in range(2))
             return Uniform(*ends)

@@ -217,7 +217,11 @@ def names_cause(arguments: list[str], said: str) -> bool:
     words = [argument.lstrip("-").partition("=")[0] for argument in arguments]
     words += [part for argument in arguments if argument.startswith("/") for part in Path(argument).parts[2:]]
     plain = [word for word in words if len(word) > 2 and word.isascii() and word.isprintable()]
-    return not plain or "Missing" in said or any(w[:8] in said or w.replace("-", "_") in said for w in plain)
+    return (
+        not plain
+        or "Missing" in said
+        or any(w[:8] in said or w.replace("-", "_").removesuffix("_deg") in said for w in plain)
+    )
 
 
 def judge(program: str, arguments: list[str], status: int | None, said: str, before: dict, after: dict) -> str:

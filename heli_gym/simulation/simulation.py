@@ -122,7 +122,7 @@ def ranges_of(p: Plant, s: Settings) -> tuple[np.ndarray, np.ndarray, np.ndarray
     )
     low = corners[:, 0]
     changed = corners[:, 1:] != low[:, None]
-    index = np.where(changed.any(axis=1), changed.argmax(axis=1) + 1, 0) if p.uniforms else np.zeros(low.shape, int)
+    index = np.where(changed.any(axis=1), changed.argmax(axis=1) + 1, 0) if p.uniforms > 1 else np.zeros(low.shape, int)
     high = np.take_along_axis(corners, index[:, None], axis=1)[:, 0]
     span = np.subtract(high, low, out=np.zeros(low.shape), where=index > 0)
     return low, span, index

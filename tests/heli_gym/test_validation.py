@@ -13,6 +13,7 @@ from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import (
     PLANTS,
     Friction,
+    Gust,
     MovingMass,
     OneOf,
     Plant,
@@ -175,6 +176,26 @@ def test_a_stiff_pendulum_swings_with_its_own_frequency():
 def test_environments_that_would_take_gigabytes_are_refused_by_name(make):
     with pytest.raises(ValueError, match=r"num_envs = .*control_period = .*GB"):
         make()
+
+
+@pytest.mark.parametrize(
+    "plant",
+    [
+        Plant(rotors=OneOf((Rotors(), Rotors(lag=0.1)))),
+        Plant(rotors=OneOf((Rotors(lag=0.1),))),
+        Plant(sensors=OneOf((None, Sensors(noise=0.01)))),
+        Plant(friction=OneOf((Friction(), Friction((1.0,) * 3)))),
+        Plant(disturbances=(OneOf((Gust("pitch", 0.1), Push("pitch", 0.1, 0.0))),)),
+    ],
+)
+def test_any_part_of_a_plant_may_be_one_of_several(plant):
+    env = Heli3DOFEnv(plant)
+    assert env.plant.is_noisy == ("Gust" in repr(plant) or "noise=0.01" in repr(plant))
+    for seed in range(4):
+        observation, _ = env.reset(seed=seed)
+        for _ in range(3):
+            observation, *_ = env.step(np.zeros(2))
+        assert env.observation_space.contains(observation)
 
 
 def test_presets_take_no_shorter_steps_than_their_friction_demands():
