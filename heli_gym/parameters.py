@@ -88,8 +88,6 @@ class Limits:
             required = name in ("u_min", "u_max", "pitch_min", "pitch_max")
             if not (is_number(value) or (value is None and not required)):
                 raise ValueError(f"{name} = {shown(value)}: must be a finite number")
-            if name.startswith("pitch") and not abs(value) >= LEAST_PITCH:
-                raise ValueError(f"{name} = {value!r}: must be at least {LEAST_PITCH:g} rad in magnitude")
         for name in ("travel_rate", "elevation_rate", "slew"):
             value = getattr(self, name)
             if value is not None and not value > 0.0:
@@ -105,10 +103,10 @@ class Limits:
                 f"u_min = {self.u_min:g} V and u_max = {self.u_max:g} V: u_min must be less than u_max, by at least "
                 f"{LEAST_WINDOW:g} V"
             )
-        if not -math.pi / 2 < self.pitch_min < 0.0 < self.pitch_max < math.pi / 2:
+        if not (-math.pi / 2 < self.pitch_min <= -LEAST_PITCH and LEAST_PITCH <= self.pitch_max < math.pi / 2):
             raise ValueError(
                 f"pitch_min = {self.pitch_min:g} rad and pitch_max = {self.pitch_max:g} rad: "
-                "must be -pi/2 < pitch_min < 0 < pitch_max < pi/2"
+                f"must be -pi/2 < pitch_min < 0 < pitch_max < pi/2, both at least {LEAST_PITCH:g} rad from zero"
             )
 
     def __str__(self) -> str:

@@ -26,7 +26,7 @@ def test_a_variant_leaves_the_nominal_parameters_alone():
 
 
 def test_a_mistyped_parameter_is_an_error():
-    with pytest.raises(ValueError, match="b4"):
+    with pytest.raises((TypeError, ValueError), match="b4"):  # TypeError from Python 3.13 on
         HelicopterParameters()._replace(b4=1.0)
     with pytest.raises(TypeError, match="u_maximum"):
         Limits(u_maximum=12.0)
@@ -63,7 +63,7 @@ def test_a_limit_that_is_not_finite_is_named(name, value):
 
 @given(st.floats(-20.0, 20.0), st.floats(-20.0, 20.0))
 def test_a_voltage_window_is_accepted_if_and_only_if_it_is_one(u_min, u_max):
-    if u_min < u_max:
+    if u_max - u_min >= 1e-3:
         assert Limits(u_min=u_min, u_max=u_max).u == (u_min, u_max)
     else:
         with pytest.raises(ValueError, match=r"u_min = .* V and u_max = .* V"):
@@ -72,7 +72,7 @@ def test_a_voltage_window_is_accepted_if_and_only_if_it_is_one(u_min, u_max):
 
 @pytest.mark.parametrize(
     ("pitch_min", "pitch_max"),
-    [(0.1, 0.5), (-0.5, -0.1), (0.5, -0.5), (0.0, 0.5), (-0.5, 0.0), (-1.6, 0.5), (-0.5, 1.6)],
+    [(0.1, 0.5), (-0.5, -0.1), (0.5, -0.5), (0.0, 0.5), (-0.5, 0.0), (-1.6, 0.5), (-0.5, 1.6), (-1e-300, 0.5)],
 )
 def test_a_pitch_window_without_zero_or_beyond_90_degrees_is_refused(pitch_min, pitch_max):
     with pytest.raises(ValueError, match=f"pitch_min = {pitch_min:g} rad and pitch_max = {pitch_max:g} rad"):
