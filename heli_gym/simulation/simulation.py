@@ -393,7 +393,11 @@ class Simulation:
         number is NOT_FINITE and the simulation is unchanged.
         """
         observation, outputs = self.arrays()
-        self.actions[:] = actions
+        if self.dtype is np.float32 and actions.dtype != np.float32:
+            with np.errstate(over="ignore"):  # the caller saturates actions that become infinite
+                self.actions[:] = actions
+        else:
+            self.actions[:] = actions
         if not self.kernels.are_finite(self.actions):
             return kernels.NOT_FINITE, observation, outputs
         memory = self.blocks, self.settings, self.flat_table, self.actions, observation, outputs
