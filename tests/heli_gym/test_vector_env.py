@@ -250,7 +250,6 @@ def test_seeds_may_be_numpy_numbers(seed):
     assert_array_equal(envs.reset(seed=seed)[0], expected)
 
 
-@pytest.mark.filterwarnings("ignore:overflow")
 def test_an_action_that_single_precision_cannot_hold_saturates_as_in_double():
     for dtype in ("float32", "float64"):
         envs = Heli3DOFVectorEnv(2, dtype=dtype)
