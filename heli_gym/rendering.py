@@ -5,6 +5,7 @@ geometry above it consists of pure functions. World coordinates, in m, have the 
 """
 
 import math
+import os
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
@@ -307,6 +308,21 @@ def load_pygame() -> Any:
     return pygame
 
 
+INVISIBLE = ("dummy", "offscreen")  # SDL's drivers without a screen
+
+
+def check_display(pygame: Any, name: str) -> None:
+    """Initialise pygame's display. Raises ValueError, which names what is refused, unless a window can be seen.
+
+    The environment variable SDL_VIDEODRIVER may choose an invisible driver on purpose.
+    """
+    pygame.display.init()
+    driver = pygame.display.get_driver()
+    if driver in INVISIBLE and not os.environ.get("SDL_VIDEODRIVER"):
+        pygame.display.quit()
+        raise ValueError(f"{name}: must have a display, and there is none here; render_mode='rgb_array' gives pictures")
+
+
 class Renderer:
     """Draw scenes as pictures or in a window; only this class imports pygame.
 
@@ -349,7 +365,7 @@ class Renderer:
         """
         pygame = self.pygame
         if self.window is None:
-            pygame.display.init()
+            check_display(pygame, "render_mode = 'human'")
             pygame.display.set_caption("heli_gym")
             self.window = pygame.display.set_mode(self.size)
             self.clock = pygame.time.Clock()

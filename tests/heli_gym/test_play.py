@@ -239,3 +239,11 @@ def test_the_command_flies_until_the_player_leaves(monkeypatch, assist):
     monkeypatch.setattr("gymnasium.utils.play.play", play)
     main([*assist, "--seed", "4"])
     assert flown == [(bool(assist), 4, "rgb_array")]
+
+
+def test_without_a_display_the_command_says_so(monkeypatch, capsys):
+    for name in ("SDL_VIDEODRIVER", "DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    with pytest.raises(SystemExit) as ended:
+        main([])
+    assert "must have a display" in str(ended.value.code) + capsys.readouterr().err

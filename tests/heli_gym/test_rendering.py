@@ -367,6 +367,14 @@ def test_an_environment_opens_a_window_by_itself_and_closes_it():
     env.close()
 
 
+def test_without_a_display_a_window_is_refused(monkeypatch):
+    for name in ("SDL_VIDEODRIVER", "DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    env = gym.make("Heli3DOF-v0", render_mode="human")
+    with pytest.raises(ValueError, match="render_mode = 'human': must have a display"):
+        env.reset(seed=0)
+
+
 def test_without_a_render_mode_drawing_is_warned_about():
     env = Heli3DOFEnv()
     env.reset(seed=0)

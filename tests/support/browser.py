@@ -57,6 +57,7 @@ def in_browser(path: Path, script: str, size: tuple[int, int] = DESKTOP):
     assert child.returncode == 0, child.stderr
     answer = json.loads(child.stdout)
     # The driver remarks on how slow it is to read pixels back where there is no GPU.
-    assert [error for error in answer["errors"] if "GPU stall due to ReadPixels" not in error] == []
-    assert answer["requests"] == []
+    errors = [error for error in answer["errors"] if "GPU stall due to ReadPixels" not in error]
+    assert errors == [], errors
+    assert answer["requests"] == [], answer["requests"]
     return answer["result"]

@@ -301,10 +301,10 @@ export class Experiment {
     return (controller && "tracking" in controller && (controller.tracking as { gains: number[][][] | null }).gains) || null;
   }
 
-  /** Distance in deg of travel and elevation from the plan, at the end of a flight. */
+  /** Distance in deg of travel and elevation from the goal at the time when the plan ends. */
   endError(flight: Flight): number {
     if (flight.crashed) return Infinity;
-    const [x, goal] = [flight.x.at(-1)!, this.reference.x.at(-1)!];
+    const [x, goal] = [flight.x[Math.round(this.duration / this.rules.controlPeriod)], this.reference.x.at(-1)!];
     return deg(Math.hypot(x[0] - goal[0], x[2] - goal[2]));
   }
 

@@ -54,6 +54,7 @@ type SliderId = "duration" | "pitch" | "window" | "startOff";
 
 export function showLive(data: LiveData, main: HTMLElement): void {
   const period = data.control_period;
+  const still = matchMedia("(prefers-reduced-motion: reduce)"); // then, nothing flies before it is asked to
   const colours = data.policies.map(({ colour }) => colour);
   const opened = fromHash(location.hash, data);
   let setup = opened.setup;
@@ -82,9 +83,11 @@ export function showLive(data: LiveData, main: HTMLElement): void {
   const planLine = { label: "plan", colour: "", dashed: true };
   const plots: { plot: Plot; value: (x: number[], u: Pair, k: number) => number; planned?: boolean }[] = [];
   const seek = (at: number) => {
+    flush();
     fly(false);
     time = Math.min(Math.max(at, 0), end());
     catchUp();
+    if (time >= end()) complete();
     changed = true;
   };
   const addPlot = (options: Omit<PlotOptions, "duration">, entry: Omit<(typeof plots)[number], "plot">) => {
@@ -119,7 +122,7 @@ export function showLive(data: LiveData, main: HTMLElement): void {
     };
     input.addEventListener("input", () => {
       set(Number(input.value));
-      apply();
+      soon();
     });
     shows.push(show);
     return make("div", { class: "slider" }, make("label", { for: id }, name), output, input);
@@ -295,8 +298,21 @@ export function showLive(data: LiveData, main: HTMLElement): void {
     return null;
   }
 
+  let isDue = false;
+
+  /** Applies the setup before the next frame: sliders change faster than plans and gains are computed. */
+  function soon(): void {
+    isDue = true;
+    shows.forEach((show) => show());
+  }
+
+  function flush(): void {
+    if (isDue) apply();
+  }
+
   /** Brings the page in line with the setup, and starts again. */
   function apply(): void {
+    isDue = false;
     const rig = rigOf(data, setup.rig);
     experiment = Experiment.make(setup, data, log);
     showChoices(rig);
@@ -326,7 +342,7 @@ export function showLive(data: LiveData, main: HTMLElement): void {
     });
     plots.forEach(({ plot }) => plot.setDuration(end()));
     paper.rebuild(experiment!, enabled);
-    restart();
+    restart(!still.matches);
   }
 
   function link(): void {
@@ -353,13 +369,18 @@ export function showLive(data: LiveData, main: HTMLElement): void {
       toggles[i].box.checked = enabled[i];
       show(i, enabled[i] && offered);
     });
-    plantChoices.replaceChildren(
-      ...Object.keys(rig.plants).map((name) => {
-        const radio = make("input", { type: "radio", name: "plant", value: name, checked: name === setup.plant });
-        radio.addEventListener("change", () => choosePlant(name));
-        return make("label", {}, radio, make("span", {}, name));
-      }),
-    );
+    const offered = Object.keys(rig.plants);
+    if (plantChoices.dataset.names !== offered.join()) {
+      plantChoices.dataset.names = offered.join();
+      plantChoices.replaceChildren(
+        ...offered.map((name) => {
+          const radio = make("input", { type: "radio", name: "plant", value: name });
+          radio.addEventListener("change", () => choosePlant(name));
+          return make("label", {}, radio, make("span", {}, name));
+        }),
+      );
+    }
+    for (const radio of plantChoices.querySelectorAll("input")) radio.checked = radio.value === setup.plant;
     const { plant, isRandom } = plantOf(setup, data);
     drawButton.hidden = !isRandom;
     effectsReset.hidden = Object.keys(setup.effects).length === 0;
@@ -371,13 +392,13 @@ export function showLive(data: LiveData, main: HTMLElement): void {
       (rig.networks[rig.network_for[setup.plant]]?.learned ? ` The residual policy was trained on ${rig.network_for[setup.plant]}.` : "");
   }
 
-  function restart(): void {
+  function restart(go = true): void {
     if (experiment === null) return;
     time = 0;
     pushes = [];
     flights = data.policies.map(() => null);
     catchUp();
-    fly(true);
+    fly(go);
   }
 
   /** Every helicopter that is shown flies, from the start if it was not shown until now. */
@@ -498,6 +519,7 @@ export function showLive(data: LiveData, main: HTMLElement): void {
     const seconds = Math.min(Math.max((now - last) / 1000, 0), 0.1);
     last = now;
     meter.measure(() => {
+      flush();
       if (flying) {
         time = Math.min(time + speed * seconds, end());
         catchUp();
@@ -551,7 +573,6 @@ export function showLive(data: LiveData, main: HTMLElement): void {
   main.dataset.ready = "";
 
   apply();
-  if (matchMedia("(prefers-reduced-motion: reduce)").matches) fly(false);
   requestAnimationFrame(frame);
 }
 

@@ -6,6 +6,10 @@ import { showLive } from "./live";
 import { showReport } from "./report";
 
 export * from "./controllers";
+export * from "./experiment";
+export * from "./files";
+export * from "./link";
+export * from "./tasks";
 export * from "./equations";
 export * from "./flight";
 export * from "./model";

@@ -90,7 +90,7 @@ export class PaperFigures {
     const inner = (pitch: number) => bound * Math.atanh(Math.min(Math.max(pitch / bound, -0.999), 0.999));
     const angles = ticksBetween(-1.5 * deg(bound), 1.5 * deg(bound));
     const { front } = model;
-    const law = "cubics" in front ? "f_i = interpolated points" : `f_i = k_± ${front.dead_zone ? "( | u_i | − u_0 )" : "| u_i |"}^${front.exponent} sgn u_i`;
+    const law = "cubics" in front ? "f_i = f ( u_i )" : `f_i = k_± ${front.dead_zone ? "( | u_i | − u_0 )" : "| u_i |"}^${front.exponent} sgn u_i`.replace("| u_i |^2 sgn u_i", "| u_i | u_i").replace("k_± | u_i |^1 sgn u_i", "k u_i");
     const tracking = this.policies.findIndex(({ name }, i) => shown[i] && (name === "feedforward+tvlqr" || name === "yours"));
     const gains = experiment.gains(tracking < 0 ? "feedforward+tvlqr" : this.policies[tracking].name);
     const gainLines: Line[] = GAINS.map((label, i) => ({ label, colour: GAIN_COLOURS[i], mark: i }));

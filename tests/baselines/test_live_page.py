@@ -1,0 +1,445 @@
+"""Live page in Chromium: every control, guided tasks, link, files, pushes, light and dark, print, and memory."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+from browser import DESKTOP, PHONE, SOURCES, in_browser, in_node, installed
+
+from heli_gym.baselines.commands import demo
+
+SMALL = 'await page.addStyleTag({content: ".live .view { height: 30px !important }"});'
+HELP = """
+const slide = async (id, to) => page.locator(id).evaluate((input, value) => {
+  input.value = value;
+  input.dispatchEvent(new Event("input"));
+}, to);
+const open = async () => page.evaluate(() => document.querySelectorAll("details").forEach((part) => {
+  part.removeAttribute("name");
+  part.open = true;
+}));
+const toEnd = async () => { await page.locator(".plot").first().focus(); await page.keyboard.press("End"); };
+const text = (selector) => page.locator(selector).textContent();
+const done = async (task) => page.locator(`.task:has([data-task=${task}]) .goals li`).evaluateAll(
+  (goals) => goals.map((goal) => goal.classList.contains("done")));
+"""
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    path = tmp_path_factory.mktemp("live") / "live.html"
+    demo.main(demo.Args(out=path, open=False))
+    return path
+
+
+def drive(page, script, size=DESKTOP):
+    still = 'await page.emulateMedia({reducedMotion: "reduce"}); await page.reload();'  # and so costs nothing
+    return in_browser(page, still + HELP + SMALL + script, size)
+
+
+AXE = """
+const {readFileSync} = await import("node:fs");
+await page.waitForTimeout(500);
+await page.evaluate(() => document.querySelectorAll("details").forEach((part) => {
+  part.removeAttribute("name");
+  part.open = true;
+}));
+await page.evaluate(readFileSync(PATH, "utf8"));
+const found = {};
+for (const colorScheme of ["light", "dark"]) {
+  await page.emulateMedia({colorScheme});
+  const result = await page.evaluate(() => axe.run());
+  found[colorScheme] = {
+    passed: result.passes.length,
+    violations: result.violations.map(({id, nodes}) => [id, nodes.slice(0, 3).map(({html}) => html)]),
+  };
+}
+return found;
+"""
+
+
+def check_accessible(page, size=DESKTOP):
+    """axe-core finds nothing on the page, light and dark."""
+    found = in_browser(page, AXE.replace("PATH", json.dumps(installed("axe-core/axe.min.js"))), size)
+    for scheme, result in found.items():
+        assert result["passed"] > 20, scheme
+        assert result["violations"] == [], scheme
+
+
+@pytest.mark.parametrize("size", [DESKTOP, PHONE])
+def test_axe_finds_no_violation_on_the_live_page(page, size):
+    check_accessible(page, size)
+
+
+def test_dark_and_light_follow_the_readers_preference_and_print_is_light(page):
+    script = """
+        const grounds = {};
+        for (const media of [{colorScheme: "light"}, {colorScheme: "dark"}, {colorScheme: "dark", media: "print"}]) {
+          await page.emulateMedia(media);
+          grounds[media.media ?? media.colorScheme] =
+            await page.evaluate(() => getComputedStyle(document.documentElement).getPropertyValue("--paper"));
+        }
+        const hidden = await page.locator(".transport").isHidden();
+        const pdf = (await page.pdf({format: "A4"})).toString("latin1");
+        return {grounds, hidden, pages: (pdf.match(/\\/Type \\/Page\\b/g) ?? []).length, bytes: pdf.length};
+    """
+    seen = drive(page, script)
+    assert seen["grounds"]["light"] == seen["grounds"]["print"] != seen["grounds"]["dark"]
+    assert seen["hidden"]
+    assert seen["pages"] >= 1
+    assert seen["bytes"] > 50_000
+
+
+@pytest.mark.slow
+def test_every_control_can_be_used_with_every_rig(page):
+    """`in_browser` fails on any error or warning of the page."""
+    script = """
+        await open();
+        const sliders = await page.locator("aside input[type=range]").evaluateAll((all) => all.map(({id}) => id));
+        const changed = [];
+        for (const id of sliders) {
+          const seen = new Set([await text(`output[for="${id}"]`)]);
+          await page.locator(`#${id}`).focus();
+          for (const key of ["Home", "ArrowRight"]) {
+            await page.keyboard.press(key);
+            seen.add(await text(`output[for="${id}"]`));
+          }
+          if (seen.size > 1) changed.push(id);
+        }
+        for (const box of await page.locator(".toggles input:visible").all()) await box.click();
+        for (const push of await page.locator(".push").all()) await push.click();
+        for (const speed of ["0.25", "4"]) await page.locator("#speed").selectOption(speed);
+        await page.locator("button", {hasText: "as drawn"}).click();
+        await page.locator("button", {hasText: "Restart"}).click();
+        const used = [];
+        for (const rig of await page.locator("#rig option").evaluateAll((options) => options.map(({value}) => value))) {
+          await page.locator("#rig").selectOption(rig);
+          const plants = await page.locator("input[name=plant]").evaluateAll((all) => all.map(({value}) => value));
+          for (const plant of plants) await page.locator(`input[value=${plant}]`).check();
+          await page.locator("aside button", {hasText: /values|at first/}).click();
+          await toEnd();
+          used.push({rig, plants, clock: parseFloat(await text(".clock"))});
+        }
+        return {sliders, changed, used};
+    """
+    seen = drive(page, script)
+    assert seen["changed"] == seen["sliders"]
+    assert len(seen["sliders"]) == 13
+    assert [row["rig"] for row in seen["used"]] == list(demo.RIGS)
+    for row in seen["used"]:
+        assert row["plants"][:2] == ["nominal", "lab"]
+        assert ("fleet" in row["plants"]) == (row["rig"] == "fleet")
+        assert row["clock"] > 8.0
+
+
+# The guided tasks, each by a script that does what the task asks for
+
+
+def test_the_task_of_the_fastest_plan_is_solved_by_shortening_the_plan(page):
+    script = """
+        await page.locator("summary", {hasText: "fastest plan"}).click();
+        await page.locator("[data-task=fastest]").click();
+        const steps = [];
+        for (const [window, duration] of [[0, 6], [0, 2], [0, 4], [1, 3]]) {
+          await slide("#window", window);
+          await slide("#duration", duration);
+          await toEnd();
+          steps.push([await text("output[for=duration]"), await done("fastest")]);
+        }
+        return {steps, lesson: await page.locator(".task[open] .lesson").isVisible()};
+    """
+    seen = drive(page, script)
+    assert [goals for _, goals in seen["steps"]] == [
+        [True, False, False],
+        [True, True, False],
+        [True, True, False],  # 9 s arrive, but so do 8.5 s with a reserve
+        [True, True, True],
+    ]
+    assert seen["steps"][-1][0] == "8.5 s"
+    assert seen["lesson"]
+
+
+def test_the_task_of_the_open_loop_is_solved_by_friction_and_thrust_loss(page):
+    script = """
+        await page.locator("summary", {hasText: "open loop fail"}).click();
+        await page.locator("[data-task=open-loop]").click();
+        await page.locator("summary", {hasText: "one by one"}).click();
+        const steps = [];
+        const fly = async () => { await toEnd(); steps.push(await done("open-loop")); };
+        await fly();
+        await slide("#delay", 0.1);
+        await fly();
+        await page.locator("button", {hasText: "as drawn"}).click();
+        await slide("#friction", 0.1);
+        await fly();
+        await page.locator("button", {hasText: "as drawn"}).click();
+        await slide("#loss", 10);
+        await fly();
+        return {steps, report: await page.locator(".task[open] [role=status]").textContent()};
+    """
+    seen = drive(page, script)
+    assert seen["steps"] == [[True, False, False], [True, False, False], [True, True, False], [True, True, True]]
+    assert "friction, loss" in seen["report"]
+
+
+def test_the_task_of_the_reserve_is_solved_by_two_plans_of_one_duration(page):
+    script = """
+        await page.locator("summary", {hasText: "reserve buy"}).click();
+        await page.locator("[data-task=reserve]").click();
+        const steps = [];
+        for (const window of [0, 1]) {
+          await slide("#window", window);
+          await toEnd();
+          steps.push(await done("reserve"));
+        }
+        return {steps, report: await page.locator(".task[open] [role=status]").textContent()};
+    """
+    seen = drive(page, script)
+    assert seen["steps"] == [[True, False, False], [True, True, True]]
+    wide, narrow = re.findall(r"([\d.]+)° RMS, (\d+) %", seen["report"])
+    assert float(narrow[0]) < float(wide[0])
+    assert int(narrow[1]) < int(wide[1])
+
+
+def test_the_task_of_the_weights_is_solved_by_less_weight_on_the_pitch(page):
+    script = """
+        await page.locator("summary", {hasText: "Beat the paper"}).click();
+        await page.locator("[data-task=weights]").click();
+        await page.locator("summary", {hasText: "your weights in"}).click();
+        const steps = [];
+        for (const pitch of [0, 0.25, -1]) {
+          await slide("#weight-pitch", pitch);
+          await toEnd();
+          steps.push(await done("weights"));
+        }
+        return steps;
+    """
+    assert drive(page, script) == [[False, False], [True, False], [True, True]]
+
+
+# Links and files
+
+
+def test_a_link_shows_the_flight_that_it_was_copied_from(page):
+    script = """
+        await open();
+        await page.locator("#rig").selectOption("fleet");
+        await slide("#duration", 3);
+        await slide("#startOff", 5);
+        await page.locator("input[value=lab]").check();
+        await page.locator("button", {hasText: "another draw"}).click();
+        await slide("#lag", 0.2);
+        await slide("#weight-travel", -0.5);
+        await page.locator("#policy-3").check();
+        const read = async () => ({
+          values: await page.locator("aside output, .clock").allTextContents(),
+          rig: await page.locator("#rig").inputValue(),
+          plant: await page.locator("input[name=plant]:checked").inputValue(),
+          note: await text("#plant-note"),
+          shown: await page.locator(".view:visible .name").allTextContents(),
+          csv: null,
+        });
+        await toEnd();
+        const first = await read();
+        const hash = await page.evaluate(() => location.hash);
+        await page.goto("about:blank");
+        await page.goto("PAGE" + hash);
+        await page.waitForSelector("main[data-ready]");
+        await toEnd();
+        return {hash, first, second: await read(), again: await page.evaluate(() => location.hash)};
+    """
+    seen = drive(page, script.replace("PAGE", page.absolute().as_uri()))
+    assert seen["first"] == seen["second"]
+    assert seen["hash"] == seen["again"]
+    assert "rig=fleet" in seen["hash"]
+    assert "lag=0.2" in seen["hash"]
+
+
+def test_a_link_that_makes_no_sense_shows_the_page_as_it_opens(tmp_path):
+    live = demo.live_data()
+    hashes = ["", "#rig=moon&T=-3&pitch=x&window=1&plant=&draw=-7&weights=a~b&show=nobody", "#%%%&T=1e999&lag=NaN"]
+    first, *others = in_node("hashes.map((hash) => heli.fromHash(hash, live).setup)", hashes=hashes, live=live)
+    for other in others:
+        assert {**other, "duration": 0, "effects": 0} == {**first, "duration": 0, "effects": 0}
+
+
+def test_the_flights_are_saved_as_numbers_and_as_a_picture_and_the_numbers_can_be_dropped_again(page, tmp_path):
+    script = """
+        const {readFileSync} = await import("node:fs");
+        await page.locator("#policy-1").uncheck();
+        await page.locator("#policy-2").uncheck();
+        await toEnd();
+        const save = async (id) => {
+          const [download] = await Promise.all([page.waitForEvent("download"), page.locator(id).click()]);
+          return readFileSync(await download.path());
+        };
+        const csv = (await save("#csv")).toString();
+        const png = (await save("#png")).toString("latin1").slice(1, 4);
+        const drop = (content) => page.evaluate((text) => {
+          const data = new DataTransfer();
+          data.items.add(new File([text], "record.csv", {type: "text/csv"}));
+          document.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));
+        }, content);
+        await drop(csv);
+        await page.waitForFunction(() => document.querySelector("aside").textContent.includes("One second ahead"));
+        const note = await page.locator("fieldset", {hasText: "Files"}).locator("[role=status]").textContent();
+        const shown = await page.locator(".view:visible .name").allTextContents();
+        await toEnd();
+        const clock = await text(".clock");
+        await drop("t,travel\\n0,1\\n1,2\\n");
+        await page.waitForTimeout(200);
+        const refusal = await page.locator("fieldset", {hasText: "Files"}).locator("[role=status]").textContent();
+        await page.locator("button", {hasText: "back to the plan"}).click();
+        return {csv, png, note, shown, clock, refusal, duration: await page.locator("#duration").isVisible()};
+    """
+    seen = drive(page, script)
+    header, *rows = seen["csv"].strip().split("\n")
+    assert header.split(",")[:2] == ["t", "feedforward+tvlqr travel_deg"]
+    table = np.array([[float(cell) for cell in row.split(",")] for row in rows])
+    assert table.shape == (701, 11)
+    assert table[0, 1:4] == pytest.approx([-3.0, 3.0, 0.0])
+    assert table[-1, 1] == pytest.approx(360.0, abs=0.5)
+    assert seen["png"] == "PNG"
+    # the model flies the record that the model made: only the interpolation of the voltages differs
+    errors = [float(value) for value in re.findall(r"([\d.]+)° of", seen["note"])]
+    assert len(errors) == 3
+    assert max(errors) < 1.0
+    assert seen["shown"] == ["open loop"]
+    assert seen["clock"] == "14.0 s"
+    assert "must have a column for elevation" in seen["refusal"]
+    assert seen["duration"]
+
+
+# Hands and keys
+
+
+def test_dragging_a_body_pushes_it_and_dragging_elsewhere_turns_the_view(page):
+    script = """
+        await page.addStyleTag({content: ".live .view { height: 300px !important }"});
+        await slide("#startOff", 0);
+        await page.locator("#policy-1").uncheck();
+        await page.locator("#policy-2").uncheck();
+        await page.locator("#speed").selectOption("0.25");
+        await page.waitForTimeout(1200);
+        const stage = await page.locator(".stage").boundingBox();
+        const numbers = () => page.locator(".view:visible .numbers").textContent();
+        const pitch = async () => parseFloat(/pitch (-?[\\d.]+)/.exec((await numbers()).replaceAll("\\u2212", "-"))[1]);
+        const plan = async () => parseFloat((await page.locator("figure", {hasText: "pitch (deg)"}).first()
+          .locator(".value").last().textContent()).replace("\\u2212", "-"));
+        // find the body: the cursor changes where a drag would push
+        let pushed = null;
+        for (let x = 0.3; x < 0.75 && !pushed; x += 0.05) {
+          for (let y = 0.25; y < 0.7 && !pushed; y += 0.1) {
+            await page.mouse.move(stage.x + x * stage.width, stage.y + y * stage.height);
+            await page.mouse.down();
+            if (await page.locator(".stage.pushing").count()) pushed = [x, y];
+            else await page.mouse.up();
+          }
+        }
+        const before = await pitch() - await plan();
+        await page.mouse.move(stage.x + pushed[0] * stage.width + 120, stage.y + pushed[1] * stage.height, {steps: 4});
+        await page.waitForTimeout(2500);
+        const during = await pitch() - await plan();
+        await page.mouse.up();
+        const released = await page.locator(".stage.pushing").count();
+        return {before, during, pushed, released};
+    """
+    seen = in_browser(page, HELP + script)
+    assert seen["pushed"]
+    assert seen["released"] == 0
+    assert seen["during"] - seen["before"] > 2.0
+
+
+def test_plots_and_the_3d_view_are_used_by_keyboard_and_described_in_words(page):
+    script = """
+        await page.addStyleTag({content: ".live .view { height: 200px !important }"});
+        await page.locator(".plot").first().focus();
+        await page.keyboard.press("Home");
+        for (let k = 0; k < 5; k++) await page.keyboard.press("Shift+ArrowRight");
+        const plot = page.locator(".plot").first();
+        const words = await plot.getAttribute("aria-valuetext");
+        const clock = await text(".clock");
+        const play = await text("#play");
+        const picture = async () => (await page.locator(".stage").screenshot()).toString("base64");
+        await page.locator("canvas").first().focus();
+        const before = await picture();
+        await page.keyboard.press("ArrowLeft");
+        await page.waitForTimeout(400);
+        return {words, clock, play, turned: before !== await picture(),
+                label: await page.locator("canvas").first().getAttribute("aria-label")};
+    """
+    seen = in_browser(page, HELP + script)
+    assert re.match(r"at 5\.00 s: paper's controller [\d.]+, open loop .*plan [\d.]+ deg", seen["words"])
+    assert (seen["clock"], seen["play"]) == ("5.0 s", "Fly")
+    assert seen["turned"]
+    assert "arrow keys" in seen["label"]
+
+
+@pytest.mark.parametrize("width", [1400, 1200, 1024, 390])
+def test_nothing_is_cut_or_overlaps_at_any_width(page, width):
+    script = """
+        await open();
+        for (const box of await page.locator(".toggles input").all()) await box.check();
+        await toEnd();
+        return page.evaluate(() => {
+          const all = (selector) => [...document.querySelectorAll(selector)];
+          const isCut = (part) => part.offsetParent && part.scrollWidth > part.clientWidth + 1;
+          const isBlock = (part) => getComputedStyle(part).display !== "inline";
+          const texts = all("figcaption, .readout, .value, .numbers, .name, legend, button, output");
+          const cut = texts.filter((part) => isCut(part) && isBlock(part)).map((part) => part.textContent);
+          const meet = (a, b) =>
+            a.left < b.right - 0.5 && b.left < a.right - 0.5 && a.top < b.bottom - 2 && b.top < a.bottom - 2;
+          const overlapping = all(".readout").filter((readout) => {
+            const values = [...readout.querySelectorAll(".value:not([hidden])")];
+            const boxes = values.map((value) => value.getBoundingClientRect());
+            return boxes.some((a, i) => boxes.some((b, j) => i < j && meet(a, b)));
+          }).length;
+          const targets = all("button, select, summary, input[type=range], input[type=checkbox]")
+            .map((part) => [part.textContent || part.id, part.getBoundingClientRect()])
+            .filter(([, box]) => box.width > 0 && Math.min(box.width, box.height) < 24).map(([name]) => name);
+          return {cut, overlapping, targets, wide: document.documentElement.scrollWidth};
+        });
+    """
+    seen = drive(page, script, (width, 900))
+    assert seen["cut"] == []
+    assert seen["overlapping"] == 0
+    assert seen["targets"] == []
+    assert seen["wide"] <= width
+
+
+@pytest.mark.slow
+def test_flying_for_long_takes_no_more_memory_and_little_script(page):
+    """A short form of two minutes: the page flies at four times the speed, then the garbage is collected."""
+    script = """
+        const session = await page.context().newCDPSession(page);
+        const used = async () => {
+          await session.send("HeapProfiler.collectGarbage");
+          return (await session.send("Runtime.getHeapUsage")).usedSize;
+        };
+        await page.emulateMedia({reducedMotion: "no-preference"});
+        await page.locator("#speed").selectOption("4");
+        await page.locator("#play").click();
+        const fly = async (times) => {
+          for (let k = 0; k < times; k++) {
+            await page.waitForFunction(() => document.querySelector("#play").textContent === "Fly again");
+            await page.locator("#play").click();
+          }
+        };
+        await fly(2);
+        const before = await used();
+        await fly(8);
+        const script = await page.locator(".meter").getAttribute("data-script");
+        return {before, after: await used(), script: parseFloat(script)};
+    """
+    seen = drive(page, script)
+    print(
+        f"{seen['script']:.2f} ms of script a frame with three helicopters, {seen['before'] / 1e6:.1f} MB before, "
+        f"{seen['after'] / 1e6:.1f} MB after"
+    )
+    assert seen["after"] < 1.2 * seen["before"] + 2e6
+    assert seen["script"] < 100.0  # a bound for any machine
+
+
+def test_axe_is_among_the_packages_of_the_pages():
+    assert "axe-core" in json.loads((SOURCES / "package.json").read_text())["devDependencies"]
