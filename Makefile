@@ -49,7 +49,7 @@ build/types:
 ANY := out/train/runs/lab/$(METHOD)@lab-any-maneuver/0/best.json
 
 reproduce: $(VENV)/dev
-	@echo "ten searches for weights, 21 training runs, four tables: some two hours of one idle core; may be interrupted"
+	@echo "ten searches for weights, 25 training runs, four tables: some two hours of one idle core; may be interrupted"
 	for plant in lab rigid; do \
 	  for policy in $(TUNED); do \
 	    $(BIN)/heli-tune --policy $$policy --plants $$plant --objective tracking \

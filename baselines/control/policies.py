@@ -59,6 +59,7 @@ POLICIES: dict[str, Callable[..., Policy]] = {
     "pd-cascade": pd_cascade,
     "residual": residual,
     "residual-rigid": partial(load_policy, LEARNED / "rigid"),
+    "residual-any": partial(load_policy, LEARNED / "any"),
     "hover-lqr": hover_lqr,
     "middle-voltage": middle_voltage,
     "zero": zero,

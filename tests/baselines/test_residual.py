@@ -88,11 +88,17 @@ def test_a_reset_forgets_the_last_flight_and_without_one_it_is_remembered(base):
     assert np.abs(np.array(remembering) - first).max() > 1e-6
 
 
-@pytest.mark.parametrize("plant", ["lab", "rigid", "fleet"])
-def test_the_policies_of_the_package_are_those_of_the_first_seed(plant):
-    (settings, shipped), (other, first) = (
-        load_learned(path) for path in (LEARNED / plant, RESULTS / plant / "residual/0/best")
-    )
+@pytest.mark.parametrize(
+    ("name", "plant", "folder"),
+    [
+        ("lab", "lab", "lab/residual"),
+        ("rigid", "rigid", "rigid/residual"),
+        ("fleet", "fleet", "fleet/residual"),
+        ("any", "lab", "any-maneuver"),
+    ],
+)
+def test_the_policies_of_the_package_are_those_of_the_first_seed(name, plant, folder):
+    (settings, shipped), (other, first) = (load_learned(path) for path in (LEARNED / name, RESULTS / folder / "0/best"))
     assert settings == other and settings.plant == plant
     for a, b in zip((*shipped[:4], *shipped.head.weights), (*first[:4], *first.head.weights)):
         assert_array_equal(a, b)
