@@ -1,7 +1,8 @@
 """Faults and speed of `heli-sweep` on a Ray cluster of two nodes on this machine.
 
-    python benchmarks/cluster.py           # four minutes on two idle cores
-    python benchmarks/cluster.py --short   # faults only
+    python benchmarks/cluster.py            # faults, then times; some five minutes on two idle cores
+    python benchmarks/cluster.py --short    # faults, with smaller trials
+    python benchmarks/cluster.py --timing   # times only
 
 Trains a small study without Ray. Then trains it on the cluster, while it kills a worker in mid-trial, removes a node
 with a trial on it, adds another node, kills the command and resumes it. Ends with status 1 unless both studies have the
@@ -156,67 +157,74 @@ def compare(undisturbed: Store, disturbed: Store) -> list[str]:
     return differences
 
 
+def check_faults(folder: Path, steps: int, trials: int) -> None:
+    """Train a study undisturbed and disturbed, and compare. Ends with status 1 for a difference."""
+    (folder / "study.toml").write_text(STUDY.format(steps=steps, seeds=list(range(trials))))
+    undisturbed, disturbed = Store(str(folder / "undisturbed")), Store(str(folder / "disturbed"))
+    begun = time.perf_counter()
+    for trial in trials_of(read_study(folder / "study.toml")):
+        run_trial(order_of(trial, undisturbed, 30.0))
+    print(f"undisturbed, without Ray: {trials} trials in {time.perf_counter() - begun:.0f} s", flush=True)
+    finished = disturb(folder, disturbed)
+    differences = compare(undisturbed, disturbed)
+    for line in differences:
+        print(line)
+    digests = {record["weights_sha256"] for record in read_records(disturbed).values()}
+    print(json.dumps({"trials": trials, "before the resumption": finished, "different weights": len(digests)}))
+    if differences:
+        raise SystemExit(1)
+    print(f"nothing lost, nothing twice: {trials} trials with the weights of the undisturbed study, byte for byte")
+
+
 def time_trials(folder: Path, steps: int, count: int) -> None:
     """Print overhead and speed-up of the engines on equal trials, after warming up their workers."""
-    (folder / "timing.toml").write_text(STUDY.format(steps=steps, seeds=list(range(100, 100 + count + 4))))
+    (folder / "timing.toml").write_text(STUDY.format(steps=steps, seeds=list(range(100, 100 + count + 2))))
     trials = trials_of(read_study(folder / "timing.toml"))
-    warm, timed = trials[:4], trials[4:]
-    alone = []
-    for number, trial in enumerate((*warm[:1], *timed[:4])):
+    warm, timed = trials[:2], trials[2:]
+    single = 0.0
+    for number, trial in enumerate((warm[0], *timed)):
         args = train.Args(**{**vars(trial.args), "out": folder / "alone" / str(number), "resume": False})
         begun = time.perf_counter()
         train.train(args, Console(quiet=True))
-        alone.append(time.perf_counter() - begun)
-    single = sum(alone[1:]) / len(alone[1:])
+        single += (time.perf_counter() - begun) / count if number else 0.0
     print(f"train alone, in one process: {single:.2f} s a trial; load {os.getloadavg()[0]:.1f}", flush=True)
     print("| engine | workers | s a trial | empty task (ms) | load |", "|---|---|---|---|---|", sep="\n", flush=True)
     walls: dict[tuple[str, int], float] = {}
     for name in ("local", "ray"):
-        for count in (1, 2):
-            with open_engine(name, count) as engine:  # type: ignore[arg-type]
-                store = Store(str(folder / f"{name}-{count}"))
+        for workers in (1, 2):
+            with open_engine(name, workers) as engine:  # type: ignore[arg-type]
+                store = Store(str(folder / f"{name}-{workers}"))
                 for _ in engine.results(run_trial, [order_of(trial, store, 30.0) for trial in warm]):
                     pass
                 begun = time.perf_counter()
                 for _ in engine.results(run_trial, [order_of(trial, store, 30.0) for trial in timed]):
                     pass
-                walls[name, count] = (time.perf_counter() - begun) / len(timed)
+                walls[name, workers] = (time.perf_counter() - begun) / count
                 begun = time.perf_counter()
                 empty = sum(1 for _ in engine.results(abs, range(200)))
                 task = (time.perf_counter() - begun) / empty
             load = os.getloadavg()[0]
-            print(f"| {name} | {count} | {walls[name, count]:.2f} | {1e3 * task:.2f} | {load:.1f} |", flush=True)
+            print(f"| {name} | {workers} | {walls[name, workers]:.2f} | {1e3 * task:.2f} | {load:.1f} |", flush=True)
     for name in ("local", "ray"):
         overhead, gain = walls[name, 1] - single, walls[name, 1] / walls[name, 2]
         print(f"{name}: {overhead:+.2f} s a trial over training alone; 2 workers are {gain:.2f} times as fast as 1")
+    size = sum(len(data) for data in store.read_all("runs").values()) / len(trials)
+    records = sum(len(data) for data in store.read_all("trials").values()) / len(trials)
+    print(f"stored: {size / 1e3:.0f} kB of networks and histories, and a record of {records / 1e3:.1f} kB, a trial")
 
 
 def main() -> None:
     """Disturb, compare, and time."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--short", action="store_true", help="faults only, with smaller trials")
-    short = parser.parse_args().short
+    parser.add_argument("--timing", action="store_true", help="times only")
+    chosen = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # so that the cluster ends too
-    steps, trials = (16 * 1024, 3) if short else (60 * 1024, 6)
     with tempfile.TemporaryDirectory(prefix="heli-cluster-") as name:
-        folder = Path(name)
-        (folder / "study.toml").write_text(STUDY.format(steps=steps, seeds=list(range(trials))))
-        undisturbed, disturbed = Store(str(folder / "undisturbed")), Store(str(folder / "disturbed"))
-        begun = time.perf_counter()
-        for trial in trials_of(read_study(folder / "study.toml")):
-            run_trial(order_of(trial, undisturbed, 30.0))
-        print(f"undisturbed, without Ray: {trials} trials in {time.perf_counter() - begun:.0f} s", flush=True)
-        finished = disturb(folder, disturbed)
-        differences = compare(undisturbed, disturbed)
-        for line in differences:
-            print(line)
-        digests = {record["weights_sha256"] for record in read_records(disturbed).values()}
-        print(json.dumps({"trials": trials, "before the resumption": finished, "different weights": len(digests)}))
-        if differences:
-            raise SystemExit(1)
-        print(f"nothing lost, nothing twice: {trials} trials with the weights of the undisturbed study, byte for byte")
-        if not short:
-            time_trials(folder, 10 * 1024, 8)
+        if not chosen.timing:
+            check_faults(Path(name), *((16 * 1024, 3) if chosen.short else (40 * 1024, 6)))
+        if not chosen.short:
+            time_trials(Path(name), 10 * 1024, 4)
 
 
 if __name__ == "__main__":
