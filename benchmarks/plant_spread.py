@@ -59,6 +59,8 @@ def hover_voltage(p: Plant) -> float:
 def lift(p: Plant) -> float:
     """Acceleration of level elevation in rad/s² at a travel rate of 1 rad/s."""
     c = p.coupling
+    if p.rig is not None:
+        return math.nan  # in its equations
     return p.travel_lift + c.centrifugal * math.sin(c.centre) * math.cos(c.centre)
 
 
@@ -87,7 +89,7 @@ EFFECTS: dict[str, Callable[[Plant], float]] = {
     "pitch read in level hover (deg)": pitch_zero,
     "lift at 1 rad/s (rad/s²)": lift,
     "gyroscopic moment (1/s)": lambda p: p.coupling.gyro,
-    "spin": lambda p: p.coupling.spin,
+    "spin": lambda p: p.coupling.spin if p.rig is None else math.nan,
     "thrust lost in 20 s (%)": drift,
 }
 

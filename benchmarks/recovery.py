@@ -10,6 +10,7 @@ model does not contain the plant.
 """
 
 import argparse
+import sys
 
 import numpy as np
 
@@ -83,6 +84,10 @@ def main() -> None:
         log = simulate_plant(plant, rig, square_waves(), args.duration)
         for name, values in errors(true, voltage, identify([log], rig, fit_share=1.0)).items():
             found.setdefault(name, []).append(values)
+        done = [abs(e) < 1.96 * s for values in found.values() for _, e, s in values]
+        print(
+            f"{seed - FIRST_SEED + 1} logs: {100.0 * np.mean(done):.1f} % of {len(done)}", file=sys.stderr, flush=True
+        )
     print(
         "| parameter | logs | true, mean | bias | errors / standard errors | within 95 % |\n|---|---|---|---|---|---|"
     )

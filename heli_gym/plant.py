@@ -354,7 +354,7 @@ class Plant:
             "parameters": found.parameters,
             "thrust_map": None if found.thrust_map.is_quadratic else found.thrust_map,
             "rotors": Rotors(lag=found.lag, delay=found.delay),
-            "sensors": Sensors(found.encoder_counts, zeros=tuple(0.0 - zero for zero in found.sensor_zeros)),
+            "sensors": Sensors(found.encoder_counts, zeros=tuple(0.0 - zero for zero in found.sensor_zeros)),  # type: ignore[arg-type]
             "table": Table(found.table_elevation),
             "coupling": found.coupling,
         }
