@@ -1,4 +1,4 @@
-"""`heli-tune`: search for better weights of a policy, by differential evolution.
+"""`heli-tune`: search for better weights of a policy, by differential evolution or by Optuna.
 
 Every policy has the same budget: the same helicopters, number of candidates and information. The search maximises the
 objective of a learner over fixed draws at the default control period: the environment's mean return, or the objective
@@ -7,10 +7,15 @@ and half are draws of the plant `lab`; all start up to 5 degrees off. (Without n
 `lab`, the resulting gains may chatter.)
 
 With --store, the weights are stored for the policy `NAME@PLANT`: `--policy kalman-lqr --plants lab --objective tracking
---store` makes `kalman-lqr@lab`, with the objective of `heli-train --plant lab`.
+--store` makes `kalman-lqr@lab`, with the objective of `heli-train --plant lab`. With --study FILE, all candidates and
+their returns, and the seconds of the search, are written as JSON.
 """
 
-from dataclasses import astuple, dataclass, fields, replace
+import json
+import time
+from collections.abc import Callable
+from dataclasses import asdict, astuple, dataclass, fields, replace
+from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
@@ -29,12 +34,13 @@ from heli_gym.cli import command, parse
 from heli_gym.env import reference_for
 from heli_gym.plant import PLANTS
 from heli_gym.rig import find_rig
-from heli_gym.storage import check_folder
+from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import control_grid, control_steps, to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 NEAR = 0.3  # decades; half of the first candidates are this far (standard deviation) from the weights in use
 START_SPREAD_DEG = 5.0
+HALF_WIDTH = 1.0  # decades, of the range about a number in use that DECADES does not list
 
 # Search ranges of decimal logarithms. Only ratios matter, so the weight of the thrust sum is fixed.
 DECADES: dict[str, tuple[float, float]] = {
@@ -58,26 +64,49 @@ DECADES: dict[str, tuple[float, float]] = {
 class Args:
     """Search for better weights of a policy."""
 
-    policy: Literal["feedforward+tvlqr", "lqi", "lag-lqr", "lag-lqi", "kalman-lqr"] = "feedforward+tvlqr"
+    policy: Literal[
+        "feedforward+tvlqr",
+        "lqi",
+        "lag-lqr",
+        "lag-lqi",
+        "kalman-lqr",
+        "gain-scheduled",
+        "l1-adaptive",
+        "pd-cascade",
+        "flatness",
+        "linear-mpc",
+        "nmpc",
+        "adaptive-mpc",
+    ] = "feedforward+tvlqr"
     plants: tuple[str, ...] = ("nominal", "lab")  # plants that candidates fly
     objective: Literal["environment", "tracking"] = "environment"
     """the environment's reward, or tracking of travel and elevation, and cost"""
+    method: Literal["evolution", "tpe"] = "evolution"  # differential evolution, or Optuna's sampler (extra sweep)
+    study: Path | None = None  # file for all candidates and their returns
     store: bool = False  # store the weights for the (single) plant
     reference: str = "travel-360"  # a packaged reference, or an .npz file of heli-plan
     rig: str = "paper"  # rig of plants and weights: a name, or a .toml file
     force: bool = False  # fly a plan even if it is for another rig
     draws: int = 32  # helicopters of each plant per candidate
     candidates: int = 600  # number of candidates, for any number of weights
-    population: int = 40  # candidates in each generation of differential evolution
+    population: int = 40  # candidates in each generation of differential evolution; random ones at first for tpe
     seed: int = 0  # seed of the draws and of the search; the evaluation's draws follow
 
 
-def search_names(weights: Weights) -> list[str]:
-    """Names of the weights to search."""
-    return [field.name for field in fields(weights) if field.name in DECADES]
+def search_names(weights: Any) -> list[str]:
+    """Names of the weights to search: all but that on the thrust sum."""
+    return [field.name for field in fields(weights) if field.name != "thrust_sum"]
 
 
-def with_decades(weights: Weights, decades: np.ndarray) -> Weights:
+def search_range(weights: Any, name: str) -> tuple[float, float]:
+    """Range of a weight's decimal logarithm: in DECADES for a regulator, otherwise about the weight in use."""
+    if isinstance(weights, Weights) and name in DECADES:
+        return DECADES[name]
+    middle = float(np.log10(getattr(weights, name)))
+    return middle - HALF_WIDTH, middle + HALF_WIDTH
+
+
+def with_decades(weights: Any, decades: np.ndarray) -> Any:
     """Weights with the searched ones replaced, given their decimal logarithms."""
     return replace(weights, **dict(zip(search_names(weights), (10.0**decades).tolist())))
 
@@ -122,11 +151,15 @@ def check(args: Args) -> None:
     for name, least in (("draws", 1), ("population", 5), ("candidates", args.population), ("seed", 0)):
         if getattr(args, name) < least:
             raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least}")
+    if args.method == "tpe":
+        import_optuna()
     if args.store:
         check_folder("the folder of stored weights", weights_of_plants.TUNED)
+    if args.study is not None:
+        check_folder("study", args.study.parent)
 
 
-def print_weights(weights: Weights, console: Console) -> None:
+def print_weights(weights: Any, console: Console) -> None:
     """Print the weights, one per line."""
     for name, value in zip((field.name for field in fields(weights)), astuple(weights)):
         console.print(f"{name} = {value:.3g}")
@@ -143,50 +176,113 @@ def run(args: Args) -> None:
         for plant in args.plants
     ]
     in_use = WEIGHTS[args.policy]
+    candidates: list[list[float]] = []  # return and decimal logarithms of each
 
-    def mean_return(weights: Weights, seed: int) -> float:
+    def mean_return(weights: Any, seed: int) -> float:
         policy = make_policy(args.policy, reference, envs[0].control_period, weights=weights)
         return float(np.mean([returns(env, policy, seed, args.objective) for env in envs]))
 
+    def score(decades: np.ndarray) -> float:
+        result = mean_return(with_decades(in_use, decades), args.seed)
+        candidates.append([result, *map(float, decades)])
+        progress.update(task, advance=1, description=f"tuning, best return {max(candidates)[0]:.3f}")
+        return result
+
+    began = time.perf_counter()
+    try:
+        with Progress(console=console) as progress:
+            task = progress.add_task("tuning", total=args.candidates)
+            (by_evolution if args.method == "evolution" else by_tpe)(score, in_use, args)
+    except KeyboardInterrupt:
+        if candidates:
+            print_weights(with_decades(in_use, np.array(max(candidates)[1:])), console)
+        raise KeyboardInterrupt("the best weights so far are printed, none stored") from None
+    seconds = time.perf_counter() - began
+    tuned = with_decades(in_use, np.array(max(candidates)[1:]))
+    both = {"in use": in_use, "tuned": tuned}
+    scores = {
+        label: [mean_return(weights, seed) for seed in (args.seed, args.seed + args.draws)]
+        for label, weights in both.items()
+    }
+    if args.store:
+        store_weights(args.policy, args.plants[0], tuned, rig)
+    if args.study is not None:
+        write_study(args.study, args, in_use, candidates, scores, seconds)
+    print_weights(tuned, console)
+    for label, (tuned_on, held_out) in scores.items():
+        console.print(f"{label}: mean return {tuned_on:.3f} on the draws tuned on, {held_out:.3f} on others")
+    console.print(f"{len(candidates)} candidates in {seconds:.0f} s")
+    if args.store:
+        console.print(f"stored for {args.policy}@{args.plants[0]}")
+
+
+def by_evolution(score: Callable[[np.ndarray], float], in_use: Any, args: Args) -> None:
+    """Score candidates by differential evolution, from the weights in use, others near them and random ones."""
     names = search_names(in_use)
-    low, high = np.array([DECADES[name] for name in names]).T
+    low, high = np.array([search_range(in_use, name) for name in names]).T
     population = scale(LatinHypercube(len(names), rng=args.seed).random(args.population), low, high)
     population[0] = [np.log10(getattr(in_use, name)) for name in names]
     near, rng = slice(1, args.population // 2), np.random.default_rng(args.seed)
     population[near] = np.clip(population[0] + NEAR * rng.standard_normal(population[near].shape), low, high)
-    generations = max(1, args.candidates // args.population - 1)
-    best_so_far = in_use
+    differential_evolution(
+        lambda decades: -score(decades),
+        list(zip(low, high)),
+        init=population,
+        maxiter=max(1, args.candidates // args.population - 1),
+        tol=0.0,  # use the whole budget
+        rng=args.seed,
+        polish=False,
+    )
 
-    def note_progress(intermediate_result: Any) -> None:
-        nonlocal best_so_far
-        best_so_far = with_decades(in_use, intermediate_result.x)
-        progress.update(task, advance=1, description=f"tuning, best return {-intermediate_result.fun:.3f}")
 
+def by_tpe(score: Callable[[np.ndarray], float], in_use: Any, args: Args) -> None:
+    """Score candidates by Optuna's tree-structured Parzen estimator, from the weights in use on.
+
+    Source: Bergstra et al., "Algorithms for hyper-parameter optimization", NeurIPS 2011.
+    """
+    optuna = import_optuna()
+    optuna.logging.set_verbosity(optuna.logging.ERROR)
+    names = search_names(in_use)
+    sampler = optuna.samplers.TPESampler(seed=args.seed, multivariate=True, n_startup_trials=args.population)
+    study = optuna.create_study(direction="maximize", sampler=sampler)
+    study.enqueue_trial({name: float(np.log10(getattr(in_use, name))) for name in names})
+    for _ in range(args.candidates):
+        trial = study.ask()
+        study.tell(trial, score(np.array([trial.suggest_float(name, *search_range(in_use, name)) for name in names])))
+
+
+def import_optuna() -> Any:
+    """Import Optuna, of the extra `sweep`. Raises ValueError without it."""
     try:
-        with Progress(console=console) as progress:
-            task = progress.add_task("tuning", total=generations)
-            result = differential_evolution(
-                lambda decades: -mean_return(with_decades(in_use, decades), args.seed),
-                list(zip(low, high)),
-                init=population,
-                maxiter=generations,
-                tol=0.0,  # use the whole budget
-                rng=args.seed,
-                polish=False,
-                callback=note_progress,
-            )
-    except KeyboardInterrupt:
-        print_weights(best_so_far, console)
-        raise KeyboardInterrupt("the best weights so far are printed, none stored") from None
-    tuned = with_decades(in_use, result.x)
-    if args.store:
-        store_weights(args.policy, args.plants[0], tuned, rig)
-    print_weights(tuned, console)
-    for label, weights in (("in use", in_use), ("tuned", tuned)):
-        tuned_on, held_out = (mean_return(weights, seed) for seed in (args.seed, args.seed + args.draws))
-        console.print(f"{label}: mean return {tuned_on:.3f} on the draws tuned on, {held_out:.3f} on others")
-    if args.store:
-        console.print(f"stored for {args.policy}@{args.plants[0]}")
+        import optuna
+    except ImportError as error:
+        raise ValueError("method = 'tpe': takes Optuna: pip install 'heli-gym[sweep]'") from error
+    return optuna
+
+
+def write_study(
+    path: Path, args: Args, in_use: Any, candidates: list[list[float]], scores: dict[str, list[float]], seconds: float
+) -> None:
+    """Write a study as JSON: its settings, the seconds, and the return and weights of each candidate."""
+    names = search_names(in_use)
+    study = {
+        "policy": args.policy,
+        "plants": args.plants,
+        "reference": args.reference,
+        "rig": args.rig,
+        "objective": args.objective,
+        "method": args.method,
+        "seed": args.seed,
+        "draws": args.draws,
+        "seconds": round(seconds, 1),
+        "return_tuned_on_and_on_others": scores,
+        "in_use": asdict(in_use),
+        "columns": ["return", *names],
+        "candidates": [[float(f"{v:.5g}") for v in (row[0], *(10.0 ** np.array(row[1:])))] for row in candidates],
+    }
+    text = json.dumps(study, indent=1)
+    with atomic_write(path) as file:
+        file.write((text.replace(",\n   ", ", ").replace("[\n   ", "[").replace("\n  ]", "]") + "\n").encode())
 
 
 if __name__ == "__main__":

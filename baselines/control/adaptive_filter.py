@@ -72,6 +72,17 @@ class FilterNoise(NamedTuple):
     adaptive: bool = True  # False holds the parameters at the means of their priors
 
 
+# For controllers that do not adapt, disturbances also absorb the parameter errors.
+UNADAPTED = FilterNoise(
+    acceleration=0.01,
+    travel_disturbance=0.1,
+    elevation_disturbance=0.05,
+    pitch_disturbance=0.3,
+    start_disturbance=0.03,
+    adaptive=False,
+)
+
+
 def sample_thrust_map(rig: Rig, voltage_limits: tuple[float, float]) -> Fans:
     """Sample the thrust map of a rig between voltages (min, max) in V."""
     u, step = np.linspace(*voltage_limits, N_SAMPLES, retstep=True)

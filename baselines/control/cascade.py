@@ -1,29 +1,17 @@
 """Cascaded loops without an observer: PD and PID, common on laboratory rigs, and flatness-based tracking."""
 
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 import numpy as np
 
 from heli_gym.baselines.control.estimation import least_lift
 from heli_gym.baselines.control.protocol import StatefulPolicy, expand_batch_dims, step_index
+from heli_gym.baselines.control.weights import FLAT, PD, CascadeGains
 from heli_gym.model import dynamics, fan_thrusts, inverse_dynamics, thrust_vector, virtual_input
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.rig import Rig
 from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
-
-
-class CascadeGains(NamedTuple):
-    """Gains of the outer loops (travel, elevation), which command accelerations, and of the inner pitch loop."""
-
-    travel: float = 0.9  # 1/s²
-    travel_rate: float = 1.6  # 1/s
-    elevation: float = 4.0  # 1/s²
-    elevation_rate: float = 3.0  # 1/s
-    integral: float = 1.0  # 1/s³, on the integral of the elevation error
-    pitch: float = 10.0  # 1/s²
-    pitch_rate: float = 5.0  # 1/s
 
 
 @dataclass(eq=False)
@@ -95,18 +83,11 @@ def cascade(reference: Trajectory, control_period: float, rig: Rig, gains: Casca
     return CascadePolicy(x, accelerations, rig, gains, flat, limits, control_period, rig.voltage_limits)
 
 
-# PD: differential evolution, 180 candidates on 12 nominal helicopters and 12 draws of `lab`.
-PD = CascadeGains(
-    travel=0.318, travel_rate=9.45, elevation=4.61, elevation_rate=2.63, integral=4.27, pitch=17.4, pitch_rate=7.82
-)
-FLAT = CascadeGains()
-
-
-def pd_cascade(reference: Trajectory, control_period: float, rig: Rig) -> CascadePolicy:
+def pd_cascade(reference: Trajectory, control_period: float, rig: Rig, weights: CascadeGains = PD) -> CascadePolicy:
     """Cascade of PD loops for travel and pitch and a PID loop for elevation about hover, without feedforward."""
-    return cascade(reference, control_period, rig, PD, flat=False)
+    return cascade(reference, control_period, rig, weights, flat=False)
 
 
-def flatness(reference: Trajectory, control_period: float, rig: Rig) -> CascadePolicy:
+def flatness(reference: Trajectory, control_period: float, rig: Rig, weights: CascadeGains = FLAT) -> CascadePolicy:
     """Flatness-based tracking: exact linearisation of travel and elevation around an inner pitch loop."""
-    return cascade(reference, control_period, rig, FLAT, flat=True)
+    return cascade(reference, control_period, rig, weights, flat=True)

@@ -9,18 +9,10 @@ import numpy as np
 from heli_gym.baselines.control.estimation import Actuator, nominal_actuator, predict
 from heli_gym.baselines.control.model_based import Regulator, make_regulator
 from heli_gym.baselines.control.protocol import StatefulPolicy, expand_batch_dims, step_index
-from heli_gym.baselines.control.weights import KALMAN_LQR, ObserverWeights
+from heli_gym.baselines.control.weights import L1, L1Weights
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.rig import Rig
 from heli_gym.trajectory import Trajectory
-
-
-class L1Settings(NamedTuple):
-    """Settings of the adaptive law."""
-
-    predictor: float = 5.0  # 1/s, pole of the state predictor
-    bandwidth: float = 2.0  # rad/s, low-pass filter between estimate and control
-    largest: float = 0.5  # rad/s², bound of the estimates
 
 
 class Memory(NamedTuple):
@@ -43,7 +35,7 @@ class L1Policy(StatefulPolicy):
 
     regulator: Regulator
     actuator: Actuator
-    settings: L1Settings
+    weights: L1Weights
     control_period: float
     voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
     memory: Memory | None = field(default=None, init=False, repr=False)
@@ -59,7 +51,7 @@ class L1Policy(StatefulPolicy):
         return Memory(measurement[1::2], np.zeros_like(measurement[1::2]), u, (u,) * self.actuator.delay)
 
     def step(self, memory: Memory, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, Memory]:
-        dt, c = self.control_period, self.settings
+        dt, c = self.control_period, self.weights
         decay = math.exp(-c.predictor * dt)
         off = memory.rates - measurement[1::2]
         sigma = np.clip(-c.predictor * decay / (1.0 - decay) * off, -c.largest, c.largest)
@@ -83,10 +75,8 @@ class L1Policy(StatefulPolicy):
         return step_index(t, self.control_period, self.reference_states.shape[1] - 1)
 
 
-def l1_adaptive(
-    reference: Trajectory, control_period: float, rig: Rig, weights: ObserverWeights = KALMAN_LQR
-) -> L1Policy:
+def l1_adaptive(reference: Trajectory, control_period: float, rig: Rig, weights: L1Weights = L1) -> L1Policy:
     """Regulator of `kalman-lqr` with L1 estimates of the disturbances."""
     actuator = nominal_actuator(rig, control_period)
     regulator = make_regulator(reference, control_period, rig, weights, actuator.lag)
-    return L1Policy(regulator, actuator, L1Settings(), control_period, rig.voltage_limits)
+    return L1Policy(regulator, actuator, weights, control_period, rig.voltage_limits)

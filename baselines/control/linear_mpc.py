@@ -10,14 +10,23 @@ from typing import Any
 import numpy as np
 from scipy import sparse
 
-from heli_gym.baselines.control.adaptive_filter import GAIN, ROTORS, AdaptiveFilter, unexplained, with_estimates
+from heli_gym.baselines.control.adaptive_filter import (
+    GAIN,
+    ROTORS,
+    UNADAPTED,
+    AdaptiveFilter,
+    FilterNoise,
+    unexplained,
+    with_estimates,
+)
 from heli_gym.baselines.control.discrete_lqr import augmented
 from heli_gym.baselines.control.estimation import (
     discretise,
     disturbance_accommodated_reference,
     nominal_actuator,
 )
-from heli_gym.baselines.control.predictive import UNADAPTED, FilteredPolicy
+from heli_gym.baselines.control.predictive import FilteredPolicy
+from heli_gym.baselines.control.weights import LINEAR_MPC, LinearMpcWeights
 from heli_gym.model import fan_thrusts, linearise, virtual_input
 from heli_gym.rig import Rig
 from heli_gym.task import control_grid
@@ -25,9 +34,8 @@ from heli_gym.trajectory import Trajectory
 
 NODES = 40
 NODE = 0.04  # s, between nodes
-STAGE = np.array([3283.0, 0.0, 3283.0, 0.0, 10.0, 1.0, 0.0, 0.0])  # 3283 1/rad² is 1 per degree²
-TERMINAL = np.array([16400.0, 3283.0, 16400.0, 3283.0, 60.0, 6.0, 0.0, 0.0])
-EFFORT = 20.0  # 1/N², weight of each fan's thrust
+PER_DEGREE = 3283.0  # 1/rad², 1 per degree²
+TERMINAL_RATE = 3283.0  # per (rad/s)², travel and elevation at the last node
 LEAST_LAG = 1e-3  # s, least rotor lag in the prediction
 
 
@@ -40,6 +48,7 @@ class LinearMpcPolicy(FilteredPolicy):
     """
 
     pitch_limits: tuple[float, float] = (-1.0, 1.0)
+    weights: LinearMpcWeights = LINEAR_MPC
 
     def __post_init__(self) -> None:
         rig = self.filter.rig
@@ -49,17 +58,20 @@ class LinearMpcPolicy(FilteredPolicy):
         A, B = augmented(A, B, max(rig.lag, LEAST_LAG), False)
         self.A, B = discretise(A, B, self.stride * self.control_period)
         self.B = B @ np.array([[1.0, 1.0], [1.0, -1.0]])  # input: the fans' thrusts
+        w = self.weights
+        self.stage = np.array([PER_DEGREE, 0.0, PER_DEGREE, 0.0, w.pitch, w.pitch_rate, 0.0, 0.0])
+        self.terminal = w.terminal * self.stage + TERMINAL_RATE * np.isin(np.arange(8), (1, 3))
 
     def condensed(self, k: int) -> tuple[np.ndarray, np.ndarray]:
         """Hessian (2 NODES, 2 NODES) and gradient per deviation (2 NODES, 8) of the condensed program in period k."""
         last = self.x.shape[1] - 1
         free, forced = np.eye(8), np.zeros((8, 2 * NODES))
-        H, g = EFFORT * np.eye(2 * NODES), np.zeros((2 * NODES, 8))
+        H, g = self.weights.effort * np.eye(2 * NODES), np.zeros((2 * NODES, 8))
         for j in range(NODES):
             at = min(k + j * self.stride, last)
             free, forced = self.A[at] @ free, self.A[at] @ forced
             forced[:, 2 * j : 2 * j + 2] += self.B[at]
-            weighted = forced.T * (STAGE if j < NODES - 1 else TERMINAL)
+            weighted = forced.T * (self.stage if j < NODES - 1 else self.terminal)
             H += weighted @ forced
             g += weighted @ free
         return H, g
@@ -106,16 +118,21 @@ def import_osqp() -> Any:
     return osqp
 
 
-def linear_mpc(reference: Trajectory, control_period: float, rig: Rig) -> LinearMpcPolicy:
+def linear_mpc(
+    reference: Trajectory, control_period: float, rig: Rig, weights: LinearMpcWeights = LINEAR_MPC
+) -> LinearMpcPolicy:
     """Offset-free linear MPC with the disturbance estimates of `nmpc`. Raises ImportError without OSQP."""
     import_osqp()
+    disturbances = weights.travel_disturbance, weights.elevation_disturbance, weights.pitch_disturbance
+    noise = UNADAPTED._replace(**dict(zip(FilterNoise._fields[1:4], disturbances)))
     x, u = control_grid(reference, control_period)
     return LinearMpcPolicy(
         x=x,
         u=u,
-        filter=AdaptiveFilter(rig, control_period, UNADAPTED),
+        filter=AdaptiveFilter(rig, control_period, noise),
         delay=nominal_actuator(rig, control_period).delay,
         control_period=control_period,
         voltage_limits=rig.voltage_limits,
         pitch_limits=reference.limits.pitch,
+        weights=weights,
     )

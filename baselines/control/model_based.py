@@ -23,7 +23,7 @@ from heli_gym.baselines.control.estimation import (
     settling_gains,
 )
 from heli_gym.baselines.control.protocol import StatefulPolicy, apply_gains, expand_batch_dims, step_index
-from heli_gym.baselines.control.weights import KALMAN_LQR, LAG_LQI, LAG_LQR, LQI, ObserverWeights
+from heli_gym.baselines.control.weights import KALMAN_LQR, LAG_LQI, LAG_LQR, LQI, L1Weights, ObserverWeights
 from heli_gym.model import fan_thrusts, virtual_input
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.rig import Rig, assumed_rig
@@ -226,7 +226,7 @@ def make_regulator(reference: Trajectory, control_period: float, rig: Rig, weigh
         gains=regulator_gains(x, v, control_period, rig.parameters, weights, lag),
         lagging=lag > 0.0,
         integrating=isinstance(weights, IntegralWeights),
-        accommodates=isinstance(weights, ObserverWeights),
+        accommodates=isinstance(weights, ObserverWeights | L1Weights),
         pitch_limits=reference.limits.pitch,
         rig=rig,
     )

@@ -15,6 +15,7 @@ from heli_gym.baselines.control.adaptive_filter import (
     DISTURBANCE,
     N_FLIGHT,
     ROTORS,
+    UNADAPTED,
     AdaptiveFilter,
     Estimate,
     FilterNoise,
@@ -25,7 +26,7 @@ from heli_gym.baselines.control.estimation import least_lift, nominal_actuator
 from heli_gym.baselines.control.model_based import Regulator, make_regulator
 from heli_gym.baselines.control.nmpc import N_INPUTS, Bounds, MpcSettings, compiled_mpc_step
 from heli_gym.baselines.control.protocol import StatefulPolicy, step_index
-from heli_gym.baselines.control.weights import KALMAN_LQR, ObserverWeights
+from heli_gym.baselines.control.weights import ADAPTIVE_MPC, KALMAN_LQR, NMPC, MpcWeights, ObserverWeights
 from heli_gym.model import virtual_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, Limits
 from heli_gym.rig import Rig
@@ -33,17 +34,6 @@ from heli_gym.task import control_grid
 from heli_gym.trajectory import Trajectory
 
 FIRST_ITERATIONS = 4  # iterations at the start of a flight, where the plan is the reference
-
-
-# For `nmpc`, disturbances also absorb the parameter errors: the best of four settings on 24 training draws.
-UNADAPTED = FilterNoise(
-    acceleration=0.01,
-    travel_disturbance=0.1,
-    elevation_disturbance=0.05,
-    pitch_disturbance=0.3,
-    start_disturbance=0.03,
-    adaptive=False,
-)
 
 
 class Plan(NamedTuple):
@@ -213,14 +203,16 @@ def predictive_policy(
     )
 
 
-def adaptive_mpc(reference: Trajectory, control_period: float, rig: Rig) -> PredictivePolicy:
+def adaptive_mpc(
+    reference: Trajectory, control_period: float, rig: Rig, weights: MpcWeights = ADAPTIVE_MPC
+) -> PredictivePolicy:
     """Nonlinear MPC on the model that the adaptive filter estimates."""
-    return predictive_policy(reference, control_period, rig)
+    return predictive_policy(reference, control_period, rig, weights.noise(FilterNoise()), weights.settings)
 
 
-def nmpc(reference: Trajectory, control_period: float, rig: Rig) -> PredictivePolicy:
+def nmpc(reference: Trajectory, control_period: float, rig: Rig, weights: MpcWeights = NMPC) -> PredictivePolicy:
     """Nonlinear MPC on the nominal model with estimated disturbances."""
-    return predictive_policy(reference, control_period, rig, UNADAPTED)
+    return predictive_policy(reference, control_period, rig, weights.noise(UNADAPTED), weights.settings)
 
 
 def adaptive_lqr(
