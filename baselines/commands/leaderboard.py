@@ -98,7 +98,7 @@ class Args:
     engine: EngineName = "local"  # processes of this machine, or Ray
     address: str | None = None  # Ray cluster, HOST:PORT or auto; by default one is started on this machine
     workers: int = 2  # number of processes
-    batch: int = 100  # episodes that a process flies at once
+    batch: int = 100  # episodes that a process flies at once, where the policy can; a kill repeats a batch
     out: Path = Path("out/leaderboard")
     resume: bool = False  # continue the leaderboard in this folder; policies, plants and maneuvers may be added
     pages: bool = True  # write pages with plots

@@ -24,7 +24,7 @@ from heli_gym.baselines.evaluation.agents import make_pilot
 from heli_gym.baselines.evaluation.conditions import OUTSIDE, find_condition, rig_of
 from heli_gym.baselines.evaluation.engine import Engine
 from heli_gym.baselines.evaluation.labels import label_of
-from heli_gym.baselines.evaluation.scoring import FlightTable, score_episodes
+from heli_gym.baselines.evaluation.scoring import FlightTable, flies_together, score_episodes
 from heli_gym.baselines.evaluation.statistics import (
     bootstrapped_means,
     interquartile_mean,
@@ -323,16 +323,31 @@ def standings(rows: Sequence[dict[str, Any]], against: str) -> list[dict[str, An
 def flyable(wanted: Sequence[Batch], settings: Settings) -> tuple[list[Batch], list[str]]:
     """Batches that can be flown, and reasons why others cannot: networks for another rig.
 
-    Every policy is made once in this process, so that its errors appear before the first flight.
+    Every policy is made once in this process, so that its errors appear before the first flight. A policy that flies
+    one helicopter at a time has batches of a single episode, so that a kill repeats one flight only.
     """
+    alone: set[tuple[str, Condition]] = set()
     refused: dict[tuple[str, Condition], str] = {}
     for policy, condition in dict.fromkeys((batch.policy, batch.condition) for batch in wanted):
         if is_learned(policy) and settings.control_period != 0.02:
             raise ValueError(f"policies: {policy!r} was trained for 0.02 s, not {settings.control_period:g} s")
         try:
-            pilot_for(policy, condition, settings.control_period, settings.rig)
+            pilot = pilot_for(policy, condition, settings.control_period, settings.rig)
+            if not flies_together(pilot, env_settings(condition, settings)["reference"]):
+                alone.add((policy, condition))
         except ValueError as error:
             if (settings.rig or rig_of(condition.plant)) == "paper" or not is_learned(policy):
                 raise
             refused[policy, condition] = f"{policy} is left out on {condition.plant}: {error}"
-    return [batch for batch in wanted if (batch.policy, batch.condition) not in refused], list(refused.values())
+    flown = [
+        part
+        for batch in wanted
+        if (batch.policy, batch.condition) not in refused
+        for part in (single_episodes(batch) if (batch.policy, batch.condition) in alone else [batch])
+    ]
+    return flown, list(refused.values())
+
+
+def single_episodes(batch: Batch) -> list[Batch]:
+    """The batch as batches of one episode each."""
+    return [batch._replace(seed=batch.seed + k, episodes=1) for k in range(batch.episodes)]

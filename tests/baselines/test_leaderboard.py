@@ -352,3 +352,27 @@ def test_another_rig_flies_its_own_reference_leaves_networks_and_the_fleet_out_a
     leaderboard.reference_on.cache_clear()  # another process would read the file anew
     with pytest.raises(SystemExit, match="has changed since"):
         command.main(Args(**small, resume=True))
+
+
+def test_a_policy_that_flies_one_helicopter_at_a_time_is_stored_flight_by_flight_and_joins_from_its_own_folder(
+    tmp_path, monkeypatch
+):
+    (tmp_path / "my_module.py").write_text(
+        "import numpy as np\n"
+        "def make(reference):\n"
+        "    def policy(t, measurement):\n"
+        "        assert measurement.shape == (6,)\n"
+        "        return reference(t)[1]\n"
+        "    return policy\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    wanted, _ = leaderboard.flyable(batches(("lqi", "my_module:make"), [CONDITION], SETTINGS), SETTINGS)
+    assert [batch.episodes for batch in wanted if batch.policy == "lqi"] == [2, 2, 2]
+    assert [batch.episodes for batch in wanted if batch.policy == "my_module:make"] == [1] * 6
+    small = {**SMALL, "policies": ("my_module:make", "open-loop"), "outside": False, "pages": False, "workers": 1}
+    command.main(Args(**{**small, "out": tmp_path / "out"}))
+    rows = read(tmp_path / "out")
+    mine, planned = ([row for row in rows if row["policy"] == name] for name in ("my_module:make", "open-loop"))
+    assert len(mine) == len(planned) == Args(**small).episodes
+    for one, other in zip(mine, planned):  # the voltages of the start of a period are nearly those of its middle
+        assert float(one["rms_error_deg"]) == pytest.approx(float(other["rms_error_deg"]), rel=0.2)
