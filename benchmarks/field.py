@@ -4,8 +4,8 @@
     python benchmarks/field.py out/*                  # results/leaderboard.csv, one row per policy, plant and maneuver
     python benchmarks/field.py --docs                 # from it, the tables in docs/evaluation.md
 
-Folders may hold different policies and numbers of draws; rows of the same flight count once. Studies of `heli-tune --study`
-in results/studies give the seconds of a search.
+Folders may hold different policies and numbers of draws; rows of the same flight count once. Studies in
+results/studies, of `heli-tune --study`, give the seconds of a search.
 """
 
 import argparse
@@ -127,8 +127,8 @@ def tables(rows: Sequence[dict[str, str]]) -> str:
 def main_table(rows: Sequence[dict[str, str]]) -> list[str]:
     """Lines of the table of one plant, sorted by rows."""
     lines = [
-        "| policy | draws | travel (deg) | elevation (deg) | cost (s) | crashes | success | within (6) | within (6), (7) "
-        "| largest pitch (deg) | saturated | better than the paper's |",
+        "| policy | draws | travel (deg) | elevation (deg) | cost (s) | crashes | success | within (6) "
+        "| within (6), (7) | largest pitch (deg) | saturated | better than the paper's |",
         "|---|" + "---|" * 11,
     ]
     for row in rows:

@@ -185,7 +185,7 @@ def run(args: Args) -> None:
     def score(decades: np.ndarray) -> float:
         result = mean_return(with_decades(in_use, decades), args.seed)
         candidates.append([result, *map(float, decades)])
-        progress.update(task, advance=1, description=f"tuning, best return {max(candidates)[0]:.3f}")
+        progress.update(task, advance=1, description=f"tuning, best return {best_of(candidates)[0]:.3f}")
         return result
 
     began = time.perf_counter()
@@ -195,10 +195,10 @@ def run(args: Args) -> None:
             (by_evolution if args.method == "evolution" else by_tpe)(score, in_use, args)
     except KeyboardInterrupt:
         if candidates:
-            print_weights(with_decades(in_use, np.array(max(candidates)[1:])), console)
+            print_weights(with_decades(in_use, np.array(best_of(candidates)[1:])), console)
         raise KeyboardInterrupt("the best weights so far are printed, none stored") from None
     seconds = time.perf_counter() - began
-    tuned = with_decades(in_use, np.array(max(candidates)[1:]))
+    tuned = with_decades(in_use, np.array(best_of(candidates)[1:]))
     both = {"in use": in_use, "tuned": tuned}
     scores = {
         label: [mean_return(weights, seed) for seed in (args.seed, args.seed + args.draws)]
@@ -214,6 +214,11 @@ def run(args: Args) -> None:
     console.print(f"{len(candidates)} candidates in {seconds:.0f} s")
     if args.store:
         console.print(f"stored for {args.policy}@{args.plants[0]}")
+
+
+def best_of(candidates: list[list[float]]) -> list[float]:
+    """The first candidate with the greatest return; the weights in use are the very first."""
+    return max(candidates, key=lambda row: row[0])
 
 
 def by_evolution(score: Callable[[np.ndarray], float], in_use: Any, args: Args) -> None:

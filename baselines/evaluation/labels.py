@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+from heli_gym.baselines.control.policies import SAFE
+
 # Palette of Okabe and Ito and three more tones, distinct for colour-blind readers. One colour per family.
 BLUE, GREEN, PINK, ORANGE, SKY, RED = "#0072B2", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#D55E00"
 VIOLET, BROWN, GREY = "#7A5195", "#8C6D31", "#6B7280"
@@ -49,10 +51,14 @@ def label_of(name: str) -> Label:
 
     An unknown name always has the same one of the spare colours.
     """
-    kind, _, plant = name.partition("@")
+    kind, _, plant = name.removesuffix(SAFE).partition("@")
     if kind in LABELS:
         label = LABELS[kind]
-        return label._replace(text=f"{label.text}, tuned for {plant}") if plant else label
+        text = f"{label.text}, tuned for {plant}" if plant else label.text
+        if not name.endswith(SAFE):
+            return label._replace(text=text)
+        needs = label.needs if "delay" in label.needs else f"{label.needs}, middle lag and delay"
+        return label._replace(text=f"{text}, safety filter", needs=needs)
     return Label(name, SPARE[sum(map(ord, name)) % len(SPARE)], "what its author says")
 
 

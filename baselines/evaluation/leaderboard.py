@@ -75,13 +75,13 @@ class Settings(NamedTuple):
 
 def policy_on(name: str, plant: str, rig: str = "") -> str:
     """Policy name with @PLANT replaced by the plant, or removed if no weights are stored for it on the rig."""
-    kind, _, _ = name.partition("@PLANT")
+    kind, _, suffix = name.partition("@PLANT")
     if kind == name:
         return name
     plant = plant.removesuffix(OUTSIDE)
     path = weights_file(plant, find_rig(rig or "paper"))
     stored = kind in WEIGHTS and path.is_file() and kind in read_json_object(path)
-    return f"{kind}@{plant}" if stored else kind
+    return f"{kind}@{plant}{suffix}" if stored else kind + suffix
 
 
 def batches(policies: Sequence[str], conditions: Sequence[Condition], settings: Settings) -> list[Batch]:

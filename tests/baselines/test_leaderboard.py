@@ -376,3 +376,10 @@ def test_a_policy_that_flies_one_helicopter_at_a_time_is_stored_flight_by_flight
     assert len(mine) == len(planned) == Args(**small).episodes
     for one, other in zip(mine, planned):  # the voltages of the start of a period are nearly those of its middle
         assert float(one["rms_error_deg"]) == pytest.approx(float(other["rms_error_deg"]), rel=0.2)
+
+
+def test_behind_the_safety_filter_a_policy_keeps_its_tuned_weights_and_its_label():
+    assert leaderboard.policy_on("kalman-lqr@PLANT+safe", "lab+outside") == "kalman-lqr@lab+safe"
+    assert leaderboard.policy_on("hover-lqr@PLANT+safe", "lab") == "hover-lqr+safe"
+    assert label_of("hover-lqr+safe").text == "hover LQR, safety filter"
+    assert "delay" in label_of("hover-lqr+safe").needs

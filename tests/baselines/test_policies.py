@@ -116,7 +116,7 @@ def test_the_regulators_hold_hover_at_any_elevation(name, tolerance, elevation):
 
 
 def test_on_the_nominal_plant_integral_action_costs_no_accuracy():
-    [papers, integral] = metrics([fly(Heli3DOFEnv(), make_policy(name, REFERENCE)) for name in WEIGHTS][:2])
+    [papers, integral] = metrics([fly(Heli3DOFEnv(), make_policy(name, REFERENCE)) for name in list(WEIGHTS)[:2]])
     assert max(integral.rms_error_deg) < max(papers.rms_error_deg) + 0.01
 
 

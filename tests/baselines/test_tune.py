@@ -1,5 +1,6 @@
 """Tuner: search, flights, and equal budgets of all policies."""
 
+import json
 from dataclasses import astuple
 from typing import get_args, get_type_hints
 
@@ -26,9 +27,9 @@ def test_every_policy_with_weights_can_be_tuned():
 def test_all_weights_but_that_on_the_thrust_sum_are_searched_and_those_in_use_are_within(name):
     weights = WEIGHTS[name]
     names = tune.search_names(weights)
-    assert set(vars(weights)) - set(names) == {"thrust_sum"}
+    assert set(vars(weights)) - set(names) <= {"thrust_sum"}
     for weight in names:
-        low, high = tune.DECADES[weight]
+        low, high = tune.search_range(weights, weight)
         assert low < np.log10(getattr(weights, weight)) < high
 
 
@@ -89,6 +90,30 @@ def test_the_budget_is_the_same_for_all_and_only_better_weights_replace_those_in
     assert len(flown) == 2 * (24 + 4)  # and the judgement: two sets of weights on two sets of draws
     printed = capsys.readouterr().out
     assert all(f"{weight} = {value:.3g}\n" in printed for weight, value in vars(WEIGHTS[name]).items())
+
+
+@pytest.mark.parametrize("method", ["evolution", "tpe"])
+def test_a_study_repeats_and_its_best_candidate_is_stored(method, tmp_path, monkeypatch):
+    pytest.importorskip("optuna")
+
+    def nearer_is_better(envs, policy, seed, objective):  # the best travel gain is 2, of all others any
+        return np.full(2, -(np.log(policy.gains.travel / 2.0) ** 2))
+
+    monkeypatch.setattr(tune, "returns", nearer_is_better)
+    monkeypatch.setattr("heli_gym.baselines.control.weights.TUNED", tmp_path)
+    small = {"policy": "flatness", "plants": ("lab",), "reference": "climb-7.5", "draws": 2, "population": 8}
+    files = [tmp_path / "one" / "study.json", tmp_path / "two" / "study.json"]
+    for file in files:
+        file.parent.mkdir()
+        tune.main(tune.Args(**small, method=method, candidates=48, store=True, study=file))
+    one, two = (json.loads(file.read_text()) for file in files)
+    assert one["candidates"] == two["candidates"]
+    assert len(one["candidates"]) == 48
+    assert one["candidates"][0][1:] == pytest.approx(list(one["in_use"].values()))
+    best = max(one["candidates"])
+    assert best[0] > one["candidates"][0][0]
+    assert stored_weights("flatness", "lab").travel == pytest.approx(best[1], rel=1e-3)
+    assert best[1] == pytest.approx(2.0, rel=0.2)
 
 
 def test_the_tracking_return_equals_that_of_an_idle_agent_on_the_policy():
