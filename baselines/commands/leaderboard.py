@@ -357,7 +357,7 @@ def page(tables: Sequence[dict[str, Any]], settings: Settings, pages: bool) -> s
 
 def page_name(condition: Condition) -> str:
     """Path of a condition's page, relative to the leaderboard's folder."""
-    return f"pages/{condition.plant}-{Path(condition.reference).stem}.html"
+    return f"pages/{condition.plant}-{Path(condition.reference).name.removesuffix('.npz')}.html"
 
 
 def write_flights(
