@@ -2,7 +2,7 @@
 
     heli-leaderboard --out out/lab --plants lab --policies adaptive-mpc feedforward+tvlqr@PLANT ...
     python benchmarks/field.py out/*                  # results/leaderboard.csv, one row per policy, plant and maneuver
-    python benchmarks/field.py --docs                 # from it, the tables in docs/evaluation.md
+    python benchmarks/field.py --docs                 # from it, the tables of the manual
 
 Folders may hold different policies and numbers of draws; rows of the same flight count once. Studies in
 results/studies, of `heli-tune --study`, give the seconds of a search.
@@ -36,6 +36,7 @@ TABLE, STUDIES, PAGE = (
     ROOT / "docs" / "evaluation.md",
 )
 BEGIN, END = "<!-- tables of benchmarks/field.py -->", "<!-- end of the tables -->"
+STUDIES_BEGIN, STUDIES_END = "<!-- studies of benchmarks/field.py -->", "<!-- end of the studies -->"
 PAPERS = "feedforward+tvlqr"
 MANEUVER = "travel-360"
 ANGLES = ("rms_travel_deg", "rms_elevation_deg", "rms_error_deg")
@@ -190,16 +191,35 @@ def costs_table(rows: Sequence[dict[str, str]]) -> list[str]:
     return lines
 
 
+def studies_table() -> list[str]:
+    """Lines of the table of studies."""
+    lines = [
+        "| policy | candidates x draws | seconds | return on the draws tuned on: default, tuned | on others |",
+        "|---|---|---|---|---|",
+    ]
+    for path in sorted(STUDIES.glob("*.json")):
+        study = json.loads(path.read_text(encoding="utf-8"))
+        scores = study["return_tuned_on_and_on_others"]
+        own, others = (f"{scores['in use'][k]:.2f}, {scores['tuned'][k]:.2f}" for k in (0, 1))
+        counts = f"{len(study['candidates'])} x {study['draws']}"
+        lines.append(f"| `{path.stem}` | {counts} | {study['seconds']:.0f} | {own} | {others} |")
+    return lines
+
+
 def write_docs() -> None:
-    """Put the tables into the page."""
+    """Put the tables into the pages."""
     with open(TABLE, newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    text = PAGE.read_text(encoding="utf-8")
-    before, _, rest = text.partition(BEGIN)
-    _, _, after = rest.partition(END)
-    middle = f"{BEGIN}\n\n{tables(rows)}\n### What each takes\n\n" + "\n".join(costs_table(rows)) + f"\n\n{END}"
-    with atomic_write(PAGE) as file:
-        file.write(f"{before}{middle}{after}".encode())
+    replace_between(PAGE, BEGIN, END, f"{tables(rows)}\n### What each takes\n\n" + "\n".join(costs_table(rows)))
+    replace_between(CONTROLLERS, STUDIES_BEGIN, STUDIES_END, "\n".join(studies_table()))
+
+
+def replace_between(path: Path, begin: str, end: str, text: str) -> None:
+    """Replace the text between two marks of a page."""
+    before, _, rest = path.read_text(encoding="utf-8").partition(begin)
+    _, _, after = rest.partition(end)
+    with atomic_write(path) as file:
+        file.write(f"{before}{begin}\n\n{text}\n\n{end}{after}".encode())
 
 
 def main() -> None:
