@@ -30,11 +30,8 @@ from heli_gym.parameters import Limits
 from heli_gym.storage import atomic_write
 
 ROOT = Path(__file__).parents[1]
-TABLE, STUDIES, PAGE = (
-    ROOT / "results" / "leaderboard.csv",
-    ROOT / "results" / "studies",
-    ROOT / "docs" / "evaluation.md",
-)
+TABLE, STUDIES = ROOT / "results" / "leaderboard.csv", ROOT / "results" / "studies"
+PAGE, CONTROLLERS = ROOT / "docs" / "evaluation.md", ROOT / "docs" / "controllers.md"
 BEGIN, END = "<!-- tables of benchmarks/field.py -->", "<!-- end of the tables -->"
 STUDIES_BEGIN, STUDIES_END = "<!-- studies of benchmarks/field.py -->", "<!-- end of the studies -->"
 PAPERS = "feedforward+tvlqr"
