@@ -273,7 +273,7 @@ def test_weights_are_stored_for_a_plant_and_flown_from_there(tmp_path, monkeypat
     assert not np.allclose(stored(0.0, measured), make_policy("lqi", REFERENCE)(0.0, measured))
 
 
-TUNED = [name for name in WEIGHTS if not name.endswith("mpc")]  # whose searches take long
+TUNED = [name for name in WEIGHTS if name != "linear-mpc"]  # whose search would take hours
 
 
 @pytest.mark.parametrize("name", [f"{name}@{plant}" for name in TUNED for plant in ("lab", "rigid")])
