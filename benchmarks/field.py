@@ -21,8 +21,9 @@ import numpy as np
 from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.baselines.evaluation.leaderboard import Condition, Settings, microseconds_per_step
 from heli_gym.baselines.evaluation.statistics import (
+    bootstrapped_means,
     interquartile_mean,
-    mean_with_interval,
+    interval,
     probability_of_improvement,
     rank_crashes_last,
 )
@@ -68,8 +69,9 @@ def aggregate(found: dict[tuple[str, str, str], dict[int, dict[str, Any]]]) -> l
 
         row: dict[str, Any] = {"reference": reference, "plant": plant, "policy": policy, "draws": len(flown)}
         for name in ANGLES:
-            mean = mean_with_interval(rank_crashes_last(column(name), crashed)[None])
-            row[name], (row[f"{name}_low"], row[f"{name}_high"]) = mean["iqm"], mean["interval"]
+            values = rank_crashes_last(column(name), crashed)
+            row[name] = interquartile_mean(values)
+            row[f"{name}_low"], row[f"{name}_high"] = interval(bootstrapped_means(values[None]))
         row["cost"] = interquartile_mean(rank_crashes_last(column("cost"), crashed))
         row["crashes"] = int(crashed.sum())
         row["success"] = column("success").mean()
