@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numba import njit
 
 from heli_gym import HelicopterParameters, Limits, Maneuver, PowerCurve, Rig, TableCurve, ThrustMap
 from heli_gym.baselines import InfeasibleManeuver, plan, plan_fastest
@@ -131,34 +132,37 @@ def random_maneuver(rng: np.random.Generator, rig: Rig) -> Maneuver:
             continue
 
 
-def derivative(x: tuple, v1: float, v2: float, p: HelicopterParameters) -> tuple:
-    """Equation (3), typed again: time derivative (6,) of the state x (6,)."""
-    _, dq1, q2, dq2, q3, dq3 = x
-    cos2, sin3 = math.cos(q2), math.sin(q3)
-    ddq2 = p.a1 * math.sin(q2) + p.a2 * cos2 + p.b2 * math.cos(q3) * v1 - p.c2 * dq2
-    return dq1, p.b1 * cos2 * sin3 * v1 - p.c1 * dq1, dq2, ddq2, dq3, p.a3 * cos2 * sin3 + p.b3 * v2 - p.c3 * dq3
+@njit
+def fly_steps(x, sums, differences, steps, p):
+    """States (6, K + 1) from x (6,) by SUBSTEPS Runge-Kutta steps between two times, on equation (3) typed again."""
+    a1, a2, a3, b1, b2, b3, c1, c2, c3 = p
+    states = np.empty((6, len(steps) + 1))
+    states[:, 0], now, mean, slope = x, x.copy(), np.empty(6), np.empty(6)
+    for k in range(len(steps)):
+        h = steps[k]
+        for j in range(2 * SUBSTEPS * k, 2 * SUBSTEPS * (k + 1), 2):
+            mean[:] = 0.0
+            slope[:] = 0.0
+            for stage in range(4):
+                z = now + (0.0, 0.5 * h, 0.5 * h, h)[stage] * slope
+                v1, v2 = sums[j + (0, 1, 1, 2)[stage]], differences[j + (0, 1, 1, 2)[stage]]
+                cos2, sin3 = math.cos(z[2]), math.sin(z[4])
+                slope[0], slope[2], slope[4] = z[1], z[3], z[5]
+                slope[1] = b1 * cos2 * sin3 * v1 - c1 * z[1]
+                slope[3] = a1 * math.sin(z[2]) + a2 * cos2 + b2 * math.cos(z[4]) * v1 - c2 * z[3]
+                slope[5] = a3 * cos2 * sin3 + b3 * v2 - c3 * z[5]
+                mean += (1.0, 2.0, 2.0, 1.0)[stage] / 6.0 * slope
+            now += h * mean
+        states[:, k + 1] = now
+    return states
 
 
 def fly(x: np.ndarray, t: np.ndarray, u: np.ndarray, rig: Rig) -> np.ndarray:
-    """States (6, K) at the times t (K,) of a flight from x (6,) under voltages u (2, K), linear between these times.
-
-    The classical Runge-Kutta method takes SUBSTEPS steps from each time to the next.
-    """
-    n, p = 2 * SUBSTEPS, rig.parameters
-    share = np.arange(n) / n
-    times = np.append((t[:-1, None] + np.diff(t)[:, None] * share).reshape(-1), t[-1])
+    """States (6, K) at the times t (K,) of a flight from x (6,) under voltages u (2, K), linear between these times."""
+    n = 2 * SUBSTEPS
+    times = np.append((t[:-1, None] + np.diff(t)[:, None] * (np.arange(n) / n)).reshape(-1), t[-1])
     f = rig.thrust(np.stack([np.interp(times, t, row) for row in u]))
-    sums, differences, steps = (f[0] + f[1]).tolist(), (f[0] - f[1]).tolist(), (np.diff(t) / SUBSTEPS).tolist()
-    state, states = tuple(x.tolist()), [tuple(x.tolist())]
-    for k, h in enumerate(steps):
-        for j in range(n * k, n * (k + 1), 2):
-            k1 = derivative(state, sums[j], differences[j], p)
-            k2 = derivative(tuple(a + 0.5 * h * b for a, b in zip(state, k1)), sums[j + 1], differences[j + 1], p)
-            k3 = derivative(tuple(a + 0.5 * h * b for a, b in zip(state, k2)), sums[j + 1], differences[j + 1], p)
-            k4 = derivative(tuple(a + h * b for a, b in zip(state, k3)), sums[j + 2], differences[j + 2], p)
-            state = tuple(a + h / 6.0 * (b + 2.0 * (c + d) + e) for a, b, c, d, e in zip(state, k1, k2, k3, k4))
-        states.append(state)
-    return np.array(states).T
+    return fly_steps(x.copy(), f[0] + f[1], f[0] - f[1], np.diff(t) / SUBSTEPS, tuple(map(float, rig.parameters[2:])))
 
 
 def check(maneuver: Maneuver, found: Any) -> dict[str, float]:
