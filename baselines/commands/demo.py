@@ -235,7 +235,9 @@ def spline_grid(rig: Rig, console: Console | None = None) -> dict[str, Any]:
     low, high = rig.voltage_limits
     windows = [(low + share * (high - low), high - share * (high - low)) for share in VOLTAGE_RESERVES]
     windows = [window for window in windows if can_hover(rig, window)]
-    pitch_limits = [degrees for degrees in SPLINE_PITCH_LIMITS_DEG if math.radians(degrees) <= rig.pitch_limit]
+    stop, usual = math.degrees(rig.pitch_limit), math.degrees(rig.limits.pitch_max)
+    pitch_limits = [degrees for degrees in SPLINE_PITCH_LIMITS_DEG if degrees <= stop]
+    pitch_limits = pitch_limits or [max(math.floor(degrees), 1.0) for degrees in (usual, stop)]
     jobs = [(i, j) for i in range(len(pitch_limits)) for j in reversed(range(len(windows)))]  # narrower limits first
 
     def within(i: int, j: int, duration: float) -> Maneuver:
@@ -250,7 +252,7 @@ def spline_grid(rig: Rig, console: Console | None = None) -> dict[str, Any]:
     for i, j in track(jobs, f"planning for {rig.name}: fastest", console=console, disable=console is None):
         fastest[i, j] = better(i, j, fastest_plan(within(i, j, LONGEST)), fastest)
     if not any(fastest.values()):
-        raise ValueError(f"rig = {rig.name!r}: must be one for which a plan of {Maneuver()} is found")
+        raise ValueError(f"rig = {rig.name!r}: must be one for which a plan of {Maneuver(rig=rig)} is found")
     first = math.ceil(2.0 * min(plan["duration"] for plan in fastest.values() if plan)) / 2.0
     durations = [first + longer for longer in LONGER]
     each: list[dict[tuple[int, int], Any]] = [fastest]

@@ -15,10 +15,12 @@ import numpy as np
 import tyro
 from rich.console import Console
 
-from heli_gym.baselines.control.c_source import c_source
+from heli_gym.baselines.control.c_source import EXPORTED, c_source
+from heli_gym.baselines.control.constant import ConstantVoltage, MiddleVoltage
 from heli_gym.baselines.control.model_based import ModelPolicy
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
+from heli_gym.baselines.control.residual import ResidualPolicy
 from heli_gym.baselines.control.tracking import TrackingPolicy
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import find_reference
@@ -31,7 +33,7 @@ STATES = ("travel", "travel_rate", "elevation", "elevation_rate", "pitch", "pitc
 UNITS = ("rad", "rad/s") * 3
 EXTRA = ("thrust_sum", "thrust_difference", "travel_integral", "elevation_integral")
 TIMED_STEPS = 20000
-COMPILE = ("cc", "-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-shared")
+COMPILE = ("cc", "-std=c99", "-pedantic", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-shared")
 
 
 @dataclass
@@ -70,7 +72,11 @@ def controller_of(policy: Policy, rig: Rig, name: str) -> Controller:
         f = rig.thrust(u)
         v = np.stack((f[0] + f[1], f[0] - f[1]))
     else:
-        raise ValueError(f"policy = {name!r}: must have a feedforward and gains to be a table; format c takes it")
+        takes_c = isinstance(policy, ResidualPolicy | ConstantVoltage | MiddleVoltage)
+        raise ValueError(
+            f"policy = {name!r}: must have a feedforward and gains, as {', '.join(EXPORTED[:-1])}, to be a table"
+            + ("; format c takes it" if takes_c else "")
+        )
     return Controller(policy.control_period * np.arange(x.shape[1]), x, u, v, gains)
 
 

@@ -32,6 +32,7 @@ from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustCurve
 
 TEMPLATES = Path(__file__).parent / "c_code"
 PRECISIONS: dict[str, type[np.floating]] = {"double": np.float64, "single": np.float32}
+EXPORTED = ("open-loop", "feedforward+tvlqr", "hover-lqr", "lqi", "lag-lqr", "lag-lqi", "kalman-lqr", "zero")
 FUNCTIONS = ("sin", "cos", "atan2", "sqrt", "pow", "exp", "fabs", "tanh")
 
 HEADER = """\
@@ -140,7 +141,7 @@ def add_base(source: CSource, policy: Policy, rig: Rig, name: str) -> None:
     """Add the base policy, without a learned correction. Raises ValueError for a policy without a C form."""
     if isinstance(policy, TrackingPolicy):
         add_thrust_map(source, policy.rig, forward=False)
-        source.define(SAMPLES=policy.x.shape[1])
+        source.define(SAMPLES=policy.x.shape[1], ROUNDING_OF_TIME=4.0 * float(np.finfo(source.dtype).eps))
         source.array("STATE", policy.x.T)
         source.array("FEEDFORWARD", policy.v.T)
         source.array("GAIN", policy.gains.reshape(12, -1).T)
@@ -151,7 +152,7 @@ def add_base(source: CSource, policy: Policy, rig: Rig, name: str) -> None:
         source.define(SAMPLES=2, CONSTANT_VOLTAGE=float(policy(0.0, np.zeros(6))[0]))
         source.use("constant.c")
     else:
-        raise ValueError(f"policy = {name!r}: must be one that C can express, and {type(policy).__name__} is not")
+        raise ValueError(f"policy = {name!r}: must be one of {', '.join(EXPORTED)}, or a learned correction of these")
 
 
 def add_model_based(source: CSource, policy: ModelPolicy) -> None:

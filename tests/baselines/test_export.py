@@ -83,6 +83,16 @@ def test_c_in_single_precision_flies_as_python_does_to_1e_4(name, tmp_path):
 
 
 @needs_cc
+@pytest.mark.parametrize("name", ["open-loop", "feedforward+tvlqr"])
+def test_along_a_plan_single_precision_holds_on_quantised_angles_too(name, tmp_path):
+    """The grid is met despite the rounding of t, so that errors stay far below a count of an encoder."""
+    policy = make_policy(name, TRAVEL_360, PERIOD)
+    mine, _ = flown(CPolicy(policy, TRAVEL_360.rig, "single", tmp_path), TRAVEL_360, "lab")
+    theirs, _ = flown(policy, TRAVEL_360, "lab")
+    assert_allclose(mine, theirs, rtol=0.0, atol=1e-5)
+
+
+@needs_cc
 @pytest.mark.parametrize("name", [*MEMORYLESS, *STATEFUL])
 @pytest.mark.parametrize("rig", [MIXED, find_rig("quanser"), find_rig("ntnu")], ids=str)
 def test_c_answers_as_python_does_on_any_thrust_map(name, rig, tmp_path):
@@ -196,6 +206,9 @@ def test_the_command_writes_the_files_and_the_time_of_a_step(tmp_path, capsys):
         ({"plan": "nowhere.npz"}, "reference = 'nowhere.npz': must be"),
         ({"policy": "unknown"}, "name = 'unknown': must be one of"),
         ({"policy": "residual", "format": "csv"}, "policy = 'residual': must have a feedforward and gains"),
+        ({"policy": "pd-cascade"}, "policy = 'pd-cascade': must be one of open-loop, feedforward+tvlqr"),
+        ({"policy": "adaptive-mpc", "format": "mat"}, "policy = 'adaptive-mpc': must have a feedforward and gains"),
+        ({"policy": "nmpc"}, "or a learned correction of these"),
         ({"rig": "ntnu"}, "PLAN = 'travel-360' is for the rig 'paper', and the one to export for is 'ntnu'"),
         ({"control_period": 0.0}, "control_period = 0.0: must be"),
         ({"rig": "no-such-rig"}, "rig = 'no-such-rig'"),

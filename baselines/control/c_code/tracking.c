@@ -5,12 +5,17 @@ static void base_reset(void) {
 
 static void base_control(real t, const real y[6], real u[2]) {
     real s = t / PERIOD, v[2];
+    real sample;
     int k;
     if (!(s > REAL(0.0))) {
         s = REAL(0.0);
     }
     if (s > (real)LAST) {
         s = (real)LAST;
+    }
+    sample = (real)(int)(s + REAL(0.5));
+    if (FABS(s - sample) <= ROUNDING_OF_TIME * (s + REAL(1.0))) { /* a sample, but for the rounding of t */
+        s = sample;
     }
     k = (int)s < LAST ? (int)s : LAST - 1;
     s -= (real)k;
