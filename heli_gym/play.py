@@ -22,12 +22,14 @@ from heli_gym.model import fan_thrusts, hover_input, inverse_dynamics, linearise
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.rendering import check_display, load_pygame
 from heli_gym.rig import PAPER, Rig
-from heli_gym.task import EFFORT_SHARE, TOLERANCE
+from heli_gym.task import TOLERANCE
 from heli_gym.validation import real_array, shown
 
 LIFT, ROLL = 1.5, 0.6  # V on each fan while a key is pressed
 FASTEST = np.array((0.9, 0.15))  # rad/s, travel and elevation rates of the set-point while a key is pressed
 PACE = np.array((0.8, 2.0))  # 1/s, bandwidth from the keys to these rates
+# Tolerance of a thrust as a share of that of hover; on the paper's rig it is the thrust of 6 V, as in the reward.
+EFFORT = float(PAPER.thrust(np.full(2, 6.0))[0] / (0.5 * hover_input(0.0, PAPER.parameters)[0]))
 FARTHEST = math.radians(12.0)  # rad, of its elevation, up and down: hover thrust is zero at 18.6 deg down
 
 
@@ -35,7 +37,7 @@ class Assist(gym.Wrapper):
     """Wrapper in which the paper's feedback flies to a set-point moved by the player.
 
     Actions are `Box(-1, 1, (2,), float32)`: commanded travel and elevation rates of the set-point in units of
-    `FASTEST`. Its rates follow with a double lag, so that rates and accelerations are continuous.
+    `fastest`. Its rates follow with a double lag, so that rates and accelerations are continuous.
     """
 
     def __init__(self, env: gym.Env) -> None:
@@ -43,6 +45,8 @@ class Assist(gym.Wrapper):
         self.helicopter: Heli3DOFEnv = env.unwrapped  # type: ignore[assignment]
         self.rig = self.helicopter.rig
         self.gain = hold_gain(self.rig)
+        # a narrower pitch stop permits less acceleration of the travel
+        self.fastest = FASTEST * np.array((min(1.0, self.rig.pitch_limit / PAPER.pitch_limit), 1.0))
         self.highest, self.lowest = elevation_range(self.rig)
 
     def reset(self, **options: Any) -> tuple[np.ndarray, dict[str, Any]]:
@@ -58,7 +62,7 @@ class Assist(gym.Wrapper):
         if given is None or given.shape != (2,) or not np.isfinite(given).all():
             raise ValueError(f"action = {shown(action)}: must be two finite real numbers")
         period = self.helicopter.control_period
-        commanded = FASTEST * np.clip(given, -1.0, 1.0)
+        commanded = self.fastest * np.clip(given, -1.0, 1.0)
         rest = self.position + (2.0 * PACE * self.rate + self.acceleration) / PACE**2  # where it would stop
         if commanded[1] * rest[1] > 0.0 and not self.highest < rest[1] < self.lowest:
             commanded[1] = 0.0
@@ -87,9 +91,10 @@ def hold_gain(rig: Rig = PAPER) -> np.ndarray:
 
     The weights follow from the reward's tolerances by Bryson's rule.
     """
-    parameters, (low, high) = rig.parameters, rig.voltage_limits
-    A, B = linearise(np.zeros(6), hover_input(0.0, parameters), parameters)
-    R = np.eye(2) / float(rig.thrust(np.full(2, EFFORT_SHARE * (high - low)))[0]) ** 2
+    parameters = rig.parameters
+    lift = hover_input(0.0, parameters)
+    A, B = linearise(np.zeros(6), lift, parameters)
+    R = np.eye(2) / (EFFORT * 0.5 * float(lift[0])) ** 2
     P = solve_continuous_are(A, B, np.diag(1.0 / np.square(TOLERANCE)), R)
     return np.linalg.solve(R, B.T @ P)
 
