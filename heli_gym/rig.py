@@ -26,7 +26,8 @@ RIGS = Path(__file__).parent / "rigs"
 TABLE_I = HelicopterParameters()
 GRAVITY = 9.81  # m/s²
 COEFFICIENTS = ("a1", "a2", "a3", "b1", "b2", "b3", "c1", "c2", "c3")
-LEAST_COEFFICIENT, LARGEST_COEFFICIENT = 1e-6, 1e4  # of (3), in SI units
+LEAST_COEFFICIENT, LARGEST_COEFFICIENT = 1e-6, 1e4  # of (3), and of masses and lengths, in SI units
+LONGEST_DELAY = 0.5  # s
 RESERVE = 1.0 / 12.0  # share of the amplifier's range unused by plans at each end, as in (9) for 0 to 12 V
 PITCH_SHARE = 5.0 / 8.0  # share of the pitch limit used by plans, as in (9) for 80 degrees
 
@@ -68,9 +69,16 @@ def coefficients_from_masses(masses: Masses) -> dict[str, float]:
         positive = name in ("body", "counterweight", "arm", "counterweight_arm", "rotor_arm", "gravity")
         if positive or name == "gyration_radius":
             unit = {"body": "kg", "counterweight": "kg", "gravity": "m/s²"}.get(name, "m")
-            require(f"masses.{name}", value, is_number(value) and value > 0.0, f"a positive number of {unit}")
+            allowed = is_number(value) and LEAST_COEFFICIENT <= value <= LARGEST_COEFFICIENT
+            require(
+                f"masses.{name}",
+                value,
+                allowed,
+                f"a positive number of {unit}, {LEAST_COEFFICIENT:g} to {LARGEST_COEFFICIENT:g}",
+            )
         else:
-            require(f"masses.{name}", value, True, "a number")
+            allowed = is_number(value) and abs(value) <= LARGEST_COEFFICIENT
+            require(f"masses.{name}", value, allowed, f"a number, at most {LARGEST_COEFFICIENT:g} in magnitude")
     m, M, l, L, p, radius, d, D, e, g, c1, c2, c3 = masses  # noqa: E741
     r = p if radius is None else radius
     J1, J2, J3 = M * L**2 + m * (l**2 + r**2), M * (L**2 + D**2) + m * (l**2 + (e - d) ** 2), m * (r**2 + d**2)
@@ -199,7 +207,9 @@ class Rig:
         self._set("voltage_limits", (low, high))
         for name in ("lag", "delay"):
             value = getattr(self, name)
-            require(name, value, is_number(value) and 0.0 <= value <= 10.0, "at least 0 and at most 10 s")
+            longest = 10.0 if name == "lag" else LONGEST_DELAY
+            allowed = is_number(value) and 0.0 <= value <= longest
+            require(name, value, allowed, f"at least 0 and at most {longest:g} s")
             self._set(name, float(value))
 
     def _check_sensors(self) -> None:
@@ -325,7 +335,13 @@ class Rig:
     @classmethod
     def from_toml(cls, text: str) -> "Rig":
         """Parse a rig from the text of a rig file."""
-        return cls(**_RigFile(text).rig_fields())
+        file = _RigFile(text)
+        try:
+            return cls(**file.rig_fields())
+        except ValueError as error:
+            if re.match(r"line \d+: ", str(error)):
+                raise
+            raise ValueError(f"line {file.line_of(str(error))}: {error}") from error
 
     def save(self, path: str | os.PathLike) -> None:
         """Write the rig to a TOML file, atomically; `load` returns the same rig."""
@@ -501,11 +517,32 @@ class _RigFile:
                 return number
         return heading
 
+    def line_of(self, message: str) -> int:
+        """Line number of the field of a `Rig` that an error message begins with."""
+        named = re.match(r"[\w.]+", message)
+        table, _, key = (named[0] if named else "").rpartition(".")
+        key = {"sensor_signs": "signs", "sensor_zeros": "zeros"}.get(key, key)
+        own = "thrust" if "front" not in self.data.get("thrust", ()) else table.replace("thrust_map", "thrust")
+        tables = {
+            "parameters": "masses" if "masses" in self.data else "coefficients",
+            "thrust_map.front": own,
+            "thrust_map.back": own,
+        }.get(table, table)
+        for where in [tables] if table else ["", "actuator", "sensors", "limits"]:
+            data: Any = self.data
+            for part in filter(None, where.split(".")):
+                data = data.get(part, {}) if isinstance(data, dict) else {}
+            for name in (key, f"{key}_deg"):
+                if name in data:
+                    return self.line(name, where)
+        return self.line("", tables)
+
     def table(self, name: str, known: tuple[str, ...], required: tuple[str, ...], where: Any = None) -> dict[str, Any]:
         """Return a table. Raises ValueError for missing or unknown keys."""
         data = self.data[name] if where is None else where
         if not isinstance(data, dict):
-            raise ValueError(f"line {self.line(name)}: {name} = {data!r}: must be a table, [{name}]")
+            above, _, last = name.rpartition(".")
+            raise ValueError(f"line {self.line(last, above)}: {name} = {data!r}: must be a table, [{name}]")
         for key in data:
             if key not in known:
                 raise ValueError(
@@ -564,7 +601,12 @@ class _RigFile:
             found["sensor_signs"] = _as_tuple(sensors.get("signs"))
             if "zeros_deg" in sensors:
                 zeros = sensors["zeros_deg"]
-                for value in zeros if isinstance(zeros, list) else [zeros]:
+                if not isinstance(zeros, list):
+                    raise ValueError(
+                        f"line {self.line('zeros_deg', 'sensors')}: zeros_deg = {zeros!r}: must be three numbers of "
+                        "degrees, of travel, elevation and pitch"
+                    )
+                for value in zeros:
                     require(f"line {self.line('zeros_deg', 'sensors')}: zeros_deg", value, True, "numbers of degrees")
                 found["sensor_zeros"] = tuple(map(math.radians, zeros))
             else:

@@ -1,9 +1,11 @@
 """Rigs: packaged ones, files in both forms, conversion to masses and back, invalid values."""
 
 import math
+import re
 
 import numpy as np
 import pytest
+import tomli_w
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
@@ -264,6 +266,74 @@ def test_an_error_in_a_file_is_named_with_its_line(old, new, message, tmp_path):
 def test_an_unknown_rig_is_refused_by_name(bad):
     with pytest.raises(ValueError, match="rig = "):
         find_rig(bad)
+
+
+MINE = {
+    "name": "mine",
+    "pitch_limit_deg": 30.0,
+    "table_elevation_deg": 20.0,
+    "actuator": {"voltage_limits": [-24.0, 24.0], "lag": 0.1, "delay": 0.02},
+    "sensors": {
+        "encoder_counts": [4096, 4096, 4096],
+        "sample_time": 0.01,
+        "signs": [1, -1, 1],
+        "zeros_deg": [0.0, 5.0, 0.0],
+    },
+    "limits": {"u_min": -20.0, "u_max": 20.0, "pitch_min_deg": -15.0, "pitch_max_deg": 15.0},
+}
+OF_COEFFICIENTS = MINE | {
+    "coefficients": {"a1": -1.1, "a2": 0.4, "a3": -0.5, "b1": -0.6, "b2": -0.6, "b3": 4.0, "c1": 0.1},
+    "thrust": {"k_plus": 0.1, "k_minus": -0.05, "exponent": 1.2, "dead_zone": 0.5},
+}
+OF_MASSES = MINE | {
+    "masses": {"body": 1.6, "counterweight": 2.05, "arm": 0.7, "counterweight_arm": 0.48, "rotor_arm": 0.19, "c1": 0.1},
+    "thrust": {"front": {"voltages": [-24.0, 0.0, 24.0], "thrusts": [-1.4, 0.0, 3.1]}, "back": {"k_plus": 0.11}},
+}
+NOT_ALLOWED = [math.nan, math.inf, -math.inf, "text", True, [1.0], 1e300, -1e300, -1.0, 0.0, 1e-320]
+
+
+def paths(tables, above=()):
+    """Paths of all tables and keys in a file."""
+    for key, value in tables.items():
+        yield (*above, key)
+        if isinstance(value, dict):
+            yield from paths(value, (*above, key))
+
+
+FIELDS = [(form, path) for form in (OF_COEFFICIENTS, OF_MASSES) for path in paths(form)]
+
+
+def changed(tables, path, value):
+    """Tables of a file with one value replaced, or removed for None."""
+    key, *rest = path
+    if rest:
+        return tables | {key: changed(tables[key], rest, value)}
+    return {k: v for k, v in tables.items() if k != key} if value is None else tables | {key: value}
+
+
+@given(st.sampled_from(FIELDS), st.sampled_from([None, *NOT_ALLOWED]))
+@settings(max_examples=1500, deadline=None)
+def test_a_rig_file_with_any_field_changed_is_a_rig_or_an_error_with_its_line(field, value):
+    form, path = field
+    text = tomli_w.dumps(changed(form, path, value))
+    try:
+        assert Rig.from_toml(Rig.from_toml(text).to_toml()) == Rig.from_toml(text)
+    except ValueError as error:
+        line, message = re.fullmatch(r"line (\d+): (.*)", str(error), re.DOTALL).groups()
+        assert 1 <= int(line) <= len(text.splitlines())
+        contradicts = re.match("(limits|voltage_limits|u_min|pitch_min) =", message)  # names both
+        if not contradicts and value is not None:
+            assert path[-1].removesuffix("_deg") in message or "parameters." in message
+            assert path[-1] in text.splitlines()[int(line) - 1] or "parameters." in message
+
+
+@given(st.sampled_from(FIELDS))
+def test_an_unknown_key_anywhere_in_a_file_is_named_with_its_line(field):
+    form, path = field
+    text = tomli_w.dumps(changed(form, (*path[:-1], "nonsense"), 1.0))
+    line = 1 + next(k for k, row in enumerate(text.splitlines()) if row.startswith("nonsense"))
+    with pytest.raises(ValueError, match=f"line {line}: unknown key 'nonsense'"):
+        Rig.from_toml(text)
 
 
 def test_a_file_that_is_no_text_is_refused(tmp_path):
