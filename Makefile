@@ -19,7 +19,7 @@ METHOD := apg-feedforward+tvlqr
 ON_FLEET := feedforward+tvlqr hover-lqr lqi lag-lqr lag-lqi kalman-lqr gain-scheduled flatness pd-cascade linear-mpc \
   l1-adaptive adaptive-lqr adaptive-mpc
 
-.PHONY: demo test test-slow lint docs build/types reproduce clean
+.PHONY: demo test test-slow lint docs pictures build/types reproduce clean
 
 demo: $(VENV)/eval
 	$(BIN)/heli-evaluate --out out
@@ -38,6 +38,14 @@ lint: $(VENV)/dev build/types
 docs: $(VENV)/docs build/types
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build
 	@echo "open site/index.html"
+
+# The pictures of README and manual that need neither training runs nor measured logs; live.png needs node and Chromium.
+pictures: $(VENV)/dev
+	$(BIN)/heli-evaluate --out out/pictures
+	cp out/pictures/overview.png docs/overview.png
+	$(BIN)/heli-film --out docs/flight.gif
+	npm ci --prefix web
+	$(BIN)/python web/picture.py
 
 # The packages under the names that they have once installed, for tools that read sources.
 build/types:

@@ -17,6 +17,7 @@ const context = await chromium.launchPersistentContext(profile, {
 });
 try {
   const page = context.pages()[0] ?? (await context.newPage());
+  page.setDefaultTimeout(120_000); // pictures are slow to draw without a GPU
   const errors = [];
   const requests = [];
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && errors.push(message.text()));

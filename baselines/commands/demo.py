@@ -84,7 +84,7 @@ NETWORK_FOR = {
 class Args:
     """Write a web page that simulates the helicopter in the browser, and open it."""
 
-    out: Path = Path("out/live.html")  # the page, one self-contained file
+    out: Path = Path("out/live.html")  # the page, one self-contained file; in a folder "site/" it is index.html
     open: bool = True  # open the page
     rig: str = ""  # rig to fly: a name or a .toml file, for which plans are solved; by default the packaged ones
     solve_plans: bool = False  # instead, solve the package's grids of plans anew (minutes)
@@ -357,12 +357,13 @@ def run(args: Args) -> None:
             file.write(json.dumps(plans).encode())
         console.print(f"plans: {PLANS}")
         return
-    check_page("out", args.out)
+    page = args.out if args.out.suffix else args.out / "index.html"
+    check_page("out", page)
     data = live_data(find_rig(args.rig) if args.rig else None, console)
-    write_page(args.out, "live", "heli_gym: fly the helicopter", data)
-    console.print(f"page: {args.out}")
+    write_page(page, "live", "heli_gym: fly the helicopter", data)
+    console.print(f"page: {page}")
     if args.open:
-        webbrowser.open(args.out.absolute().as_uri())
+        webbrowser.open(page.absolute().as_uri())
 
 
 if __name__ == "__main__":

@@ -94,7 +94,8 @@ REFUSED = {
     "heli-demo": [
         (["--out", "page.txt", "--no-open"], "out"),
         (["--out", "FILE/page.html", "--no-open"], "out"),
-        (["--out", "FOLDER", "--no-open"], "out"),
+        (["--rig", "lunar", "--no-open"], "lunar"),
+        (["--rig", "nowhere.toml", "--no-open"], "nowhere.toml"),
         (["--solve"], "solve"),
     ],
     "heli-leaderboard": [

@@ -562,3 +562,8 @@ def test_a_page_that_is_no_html_file_is_refused_by_name(tmp_path):
     with pytest.raises(SystemExit, match=r"heli-demo: out = .*page\.txt"):
         demo.main(demo.Args(out=tmp_path / "page.txt", open=False))
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_gets_the_page_as_its_index(tmp_path):
+    demo.main(demo.Args(out=tmp_path / "site", open=False))
+    assert [path.name for path in (tmp_path / "site").iterdir()] == ["index.html"]
