@@ -12,9 +12,12 @@ from heli_gym.storage import atomic_write
 
 WEB = Path(__file__).parent
 SCRIPT = """
-    await page.waitForFunction(() => parseFloat(document.querySelector(".clock").textContent) >= 3.5);
-    await page.locator("#play").click();
-    await page.waitForTimeout(500);
+    await page.emulateMedia({reducedMotion: "reduce"});  // nothing flies by itself, so the picture is always the same
+    await page.reload();
+    await page.locator(".plot").first().focus();
+    for (let second = 0; second < 4; second++) await page.keyboard.press("Shift+ArrowRight");
+    await page.evaluate(() => document.activeElement.blur());
+    await page.waitForTimeout(2000);
     return (await page.screenshot()).toString("base64");
 """
 
@@ -27,7 +30,7 @@ def main() -> None:
         order = {"url": page.as_uri(), "width": 1400, "height": 900, "script": SCRIPT}
         order["executable"] = shutil.which("chromium") or "chromium"
         child = subprocess.run(
-            ["node", str(WEB / "browser.mjs")], input=json.dumps(order), capture_output=True, text=True, check=True
+            ["node", str(WEB / "browser.mjs")], input=json.dumps(order), stdout=subprocess.PIPE, text=True, check=True
         )
     with atomic_write(WEB.parent / "docs" / "live.png") as file:
         file.write(base64.b64decode(json.loads(child.stdout)["result"]))

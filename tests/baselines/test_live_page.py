@@ -5,7 +5,7 @@ import re
 
 import numpy as np
 import pytest
-from browser import DESKTOP, PHONE, SOURCES, in_browser, in_node, installed
+from browser import DESKTOP, PHONE, SOURCES, check_accessible, in_browser, in_node
 
 from heli_gym.baselines.commands import demo
 
@@ -36,35 +36,6 @@ def page(tmp_path_factory):
 def drive(page, script, size=DESKTOP):
     still = 'await page.emulateMedia({reducedMotion: "reduce"}); await page.reload();'  # and so costs nothing
     return in_browser(page, still + HELP + SMALL + script, size)
-
-
-AXE = """
-const {readFileSync} = await import("node:fs");
-await page.waitForTimeout(500);
-await page.evaluate(() => document.querySelectorAll("details").forEach((part) => {
-  part.removeAttribute("name");
-  part.open = true;
-}));
-await page.evaluate(readFileSync(PATH, "utf8"));
-const found = {};
-for (const colorScheme of ["light", "dark"]) {
-  await page.emulateMedia({colorScheme});
-  const result = await page.evaluate(() => axe.run());
-  found[colorScheme] = {
-    passed: result.passes.length,
-    violations: result.violations.map(({id, nodes}) => [id, nodes.slice(0, 3).map(({html}) => html)]),
-  };
-}
-return found;
-"""
-
-
-def check_accessible(page, size=DESKTOP):
-    """axe-core finds nothing on the page, light and dark."""
-    found = in_browser(page, AXE.replace("PATH", json.dumps(installed("axe-core/axe.min.js"))), size)
-    for scheme, result in found.items():
-        assert result["passed"] > 20, scheme
-        assert result["violations"] == [], scheme
 
 
 @pytest.mark.parametrize("size", [DESKTOP, PHONE])

@@ -9,7 +9,7 @@ from io import StringIO
 
 import numpy as np
 import pytest
-from browser import DESKTOP, PHONE, in_browser
+from browser import DESKTOP, PHONE, check_accessible, in_browser
 
 from heli_gym.baselines import fly, make_policy, riccati_gains
 from heli_gym.baselines.commands import demo, evaluate
@@ -249,3 +249,7 @@ def test_at_any_time_the_page_shows_the_flight_that_was_chosen(folder, data):
         expected = [*np.degrees([flight["x"][i][k] for i in (0, 2, 4)]), *(u[k] for u in flight["u"])]
         np.testing.assert_allclose(found, expected, rtol=0.0, atol=0.051)
     assert answer["shown"] == len(POLICIES) - 1
+
+
+def test_axe_finds_no_violation_on_the_report(folder):
+    check_accessible(folder / "report.html")

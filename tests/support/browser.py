@@ -61,3 +61,32 @@ def in_browser(path: Path, script: str, size: tuple[int, int] = DESKTOP):
     assert errors == [], errors
     assert answer["requests"] == [], answer["requests"]
     return answer["result"]
+
+
+AXE = """
+const {readFileSync} = await import("node:fs");
+await page.waitForTimeout(500);
+await page.evaluate(() => document.querySelectorAll("details").forEach((part) => {
+  part.removeAttribute("name");
+  part.open = true;
+}));
+await page.evaluate(readFileSync(PATH, "utf8"));
+const found = {};
+for (const colorScheme of ["light", "dark"]) {
+  await page.emulateMedia({colorScheme});
+  const result = await page.evaluate(() => axe.run());
+  found[colorScheme] = {
+    passed: result.passes.length,
+    violations: result.violations.map(({id, nodes}) => [id, nodes.slice(0, 3).map(({html}) => html)]),
+  };
+}
+return found;
+"""
+
+
+def check_accessible(page, size=DESKTOP):
+    """axe-core finds nothing on the page, light and dark."""
+    found = in_browser(page, AXE.replace("PATH", json.dumps(installed("axe-core/axe.min.js"))), size)
+    for scheme, result in found.items():
+        assert result["passed"] > 20, scheme
+        assert result["violations"] == [], scheme

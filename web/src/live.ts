@@ -149,7 +149,7 @@ export function showLive(data: LiveData, main: HTMLElement): void {
     log = null;
     apply();
   });
-  const methodChoice = make("select", { id: "method" }, make("option", { value: "paper" }, "the paper's method, (38)"), make("option", { value: "spline" }, "splines, smoothest"));
+  const methodChoice = make("select", { id: "method" }, make("option", { value: "paper" }, "paper's, (38)"), make("option", { value: "spline" }, "splines"));
   methodChoice.addEventListener("change", () => {
     setup = snapped({ ...setup, method: methodChoice.value as Setup["method"] }, data);
     apply();
