@@ -12,7 +12,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import tyro
 from numba import njit
@@ -21,16 +20,16 @@ from rich.table import Table
 from scipy.integrate import odeint, solve_bvp, solve_ivp
 from scipy.optimize import fsolve
 
-from heli_gym import Maneuver, Trajectory, dynamics, linearise, thrust
+from heli_gym import Maneuver, Trajectory, linearise, thrust
 from heli_gym.baselines import ManeuverSampler, plan, riccati_gains
+from heli_gym.baselines.commands.compare_planners import multiple_shooting
 from heli_gym.baselines.paper.boundary_value import COARSE, MAX_NODES, ConstrainedProblem, Solution, solve_unconstrained
-from heli_gym.baselines.paper.normal_form import thrust_bounds
 from heli_gym.baselines.paper.riccati import integrate, jacobians_along
 from heli_gym.baselines.paper.shooting import shooter, solve_by_shooting, solve_near, unconstrained_guess
 from heli_gym.baselines.paper.tvlqr import Q, R, integrate_stiff, stationary_cost
 from heli_gym.baselines.planning import spline
 from heli_gym.baselines.planning.collocation import collocate
-from heli_gym.model import hover_input, virtual_input
+from heli_gym.model import virtual_input
 
 
 @dataclass
@@ -66,48 +65,10 @@ def solve_by_bvp(problem: ConstrainedProblem, guess: Solution, analytic: bool) -
     return solve_bvp(problem.rhs, ends, guess.t, guess.Y, guess.p, tol=COARSE, max_nodes=MAX_NODES[COARSE], **jacobians)
 
 
-def multiple_shooting(maneuver: Maneuver, solver: str, intervals: int = 100) -> Callable[[], Any]:
-    """Build and return a least-effort solver by CasADi's multiple shooting, one Runge-Kutta step per interval."""
-    p, limits, h = maneuver.parameters, maneuver.limits, maneuver.duration / intervals
-    x, f = ca.SX.sym("x", 6), ca.SX.sym("f", 2)
-    rate = dynamics(ca.vertsplit(x), (f[0] + f[1], f[0] - f[1]), p, ca.sin, ca.cos)
-    rhs = ca.Function("rhs", [x, f], [ca.vertcat(*rate)])
-    k1 = rhs(x, f)
-    k2 = rhs(x + 0.5 * h * k1, f)
-    k3 = rhs(x + 0.5 * h * k2, f)
-    k4 = rhs(x + h * k3, f)
-    step = ca.Function("step", [x, f], [x + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)])
-    problem, states, inputs = ca.Opti(), [], []
-    for k in range(intervals + 1):
-        states.append(problem.variable(6))
-        if k < intervals:
-            inputs.append(problem.variable(2))
-    low, high = thrust_bounds(limits, p)
-    hover = 0.5 * float(hover_input(0.0, p)[0])
-    for k in range(intervals + 1):
-        if k < intervals:
-            problem.subject_to(states[k + 1] == step(states[k], inputs[k]))
-        if k in (0, intervals):
-            travel, elevation = maneuver.start if k == 0 else maneuver.goal
-            problem.subject_to(states[k] == ca.vertcat(travel, 0.0, elevation, 0.0, 0.0, 0.0))
-        else:
-            problem.subject_to(problem.bounded(limits.pitch_min, states[k][4], limits.pitch_max))
-        if k < intervals:
-            problem.subject_to(problem.bounded(low, inputs[k], high))
-            problem.set_initial(inputs[k], hover)
-    problem.minimize(sum(ca.sumsqr(f - hover) for f in inputs))
-    quiet: dict[str, Any] = {"expand": True, "print_time": False}
-    if solver == "fatrop":
-        problem.solver(solver, quiet | {"structure_detection": "auto"}, {"print_level": 0})
-    else:
-        problem.solver(solver, quiet, {"print_level": 0, "sb": "yes"})
-    return problem.solve
-
-
 def planning(args: Args) -> dict[str, float]:
     """Durations in s of planners, by row name."""
     maneuver = Maneuver()
-    problem, thrusts = ConstrainedProblem(maneuver), thrust_bounds(maneuver.limits, maneuver.parameters)
+    problem, bounds = ConstrainedProblem(maneuver), spline.Bounds(maneuver.rig.thrust_bounds(maneuver.limits.u))
     start = spline.guess(maneuver, maneuver.duration, spline.SEGMENTS[0])
     near = plan(replace(maneuver, duration=10.1), "paper")
     near_spline = plan(replace(maneuver, duration=10.1), "spline")
@@ -132,9 +93,9 @@ def planning(args: Args) -> dict[str, float]:
 
     return {
         "plan(method='spline'), sampled and checked": median(lambda: plan(maneuver, "spline"), args),
-        "  of which the interior-point method": median(lambda: spline.smoothest(maneuver, start, thrusts), args),
+        "  of which the interior-point method": median(lambda: spline.smoothest(maneuver, start, bounds), args),
         "  of which the same from the plan in 10.1 s": median(
-            lambda: spline.smoothest(maneuver, close, thrusts, spline.WARM), args
+            lambda: spline.smoothest(maneuver, close, bounds, spline.WARM), args
         ),
         "plan(method='spline', near=the plan in 10.1 s)": median(
             lambda: plan(maneuver, "spline", near=near_spline), args
@@ -148,8 +109,12 @@ def planning(args: Args) -> dict[str, float]:
         "(38), solve_bvp, without Jacobians": median(lambda: solve_by_bvp(problem, guess, False), args),
         "(38), compiled RK4, 400 steps, and fsolve": median(lambda: fsolve(end, np.zeros(6), xtol=1e-7), args),
         "CasADi, collocation, IPOPT, built and solved": median(lambda: collocate(maneuver, "effort"), args),
-        "CasADi, multiple shooting, IPOPT, solved": median(multiple_shooting(maneuver, "ipopt"), args),
-        "CasADi, multiple shooting, fatrop, solved": median(multiple_shooting(maneuver, "fatrop"), args),
+        "CasADi, multiple shooting, IPOPT, built and solved": median(
+            lambda: multiple_shooting(maneuver, "ipopt"), args
+        ),
+        "CasADi, multiple shooting, fatrop, built and solved": median(
+            lambda: multiple_shooting(maneuver, "fatrop"), args
+        ),
     }
 
 
@@ -190,7 +155,9 @@ def gains(args: Args) -> dict[str, float]:
         "  of which RK4 on what does not vanish": median(
             lambda: integrate(J, rows, columns, Q, R, M, 2.0 * t[1]), args
         ),
-        "Magnus expansion, for stiff weights": median(lambda: integrate_stiff(reference, parameters, Q, R, M, t), args),
+        "Magnus expansion, for stiff weights": median(
+            lambda: integrate_stiff(reference, maneuver.rig, Q, R, M, t), args
+        ),
         "LSODA, compiled right-hand side, rtol 1e-6": median(
             lambda: odeint(riccati_rhs, M.ravel(), t, (t, J, Q, R_inverse), rtol=1e-6, atol=1e-8), args
         ),

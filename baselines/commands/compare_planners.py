@@ -6,6 +6,7 @@ its duration is only the best known bound. Scipy integrates (3) along every plan
 
 import csv
 import importlib
+import importlib.util
 import io
 import math
 import time
@@ -35,8 +36,11 @@ from heli_gym.baselines.evaluation.engine import (
 )
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly
-from heli_gym.baselines.planning.collocation import collocate
+from heli_gym.baselines.paper.boundary_value import ConstrainedProblem
+from heli_gym.baselines.planning.collocation import collocate, collocated_trajectory
 from heli_gym.baselines.planning.feasibility import ARRIVAL_TOLERANCE, LIMIT_TOLERANCE, InfeasibleManeuver
+from heli_gym.baselines.planning.paper_method import solve_from_unconstrained
+from heli_gym.baselines.planning.path import check_ends
 from heli_gym.baselines.planning.planner import FASTEST, plan, plan_fastest
 from heli_gym.baselines.planning.spline import easy_duration
 from heli_gym.cli import announce_replaced, command, parse
@@ -48,7 +52,7 @@ from heli_gym.rig import PAPER, Rig, find_rig
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.trajectory import Maneuver, Trajectory
 
-Part = Literal["robustness", "shortest", "trade-off", "methods", "reserve"]
+Part = Literal["robustness", "shortest", "trade-off", "methods", "reserve", "constraints", "objectives", "solvers"]
 
 PITCH_TOLERANCE = 1e-4  # rad; within a sample, a thrust map bends the linear voltages
 TO_SPARE = 1.1  # times collocation's shortest duration
@@ -60,6 +64,9 @@ RESERVES = 0.0, 0.1, 0.2, 0.3, 0.4, 0.45
 MORE_TIME = 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35
 LEISURE = 12.0  # s; every method can plan the paper's maneuver in this time
 START_SPREAD_DEG = 5.0
+CONSTRAINED_RIGS = "paper", "ntnu", "quanser"
+COLLOCATION_TIME = 60.0  # s, limit for one maneuver
+OBJECTIVE_DURATIONS = 10.0, 12.0  # s
 
 
 MOST = 10**6  # maneuvers, draws
@@ -101,6 +108,246 @@ def random_maneuver(rng: np.random.Generator, rig: Rig = PAPER) -> Maneuver:
     travel = math.radians(rng.uniform(-720.0, 720.0))
     maneuver = Maneuver((0.0, start), (travel, goal), 1.0, limits, rig=rig)
     return replace(maneuver, duration=2.0 * easy_duration(maneuver))
+
+
+def constrained_maneuver(rng: np.random.Generator, rig: Rig) -> Maneuver:
+    """Draw a maneuver with some of: bump, elevation window, rates, slew, via point, free elevation, motion, lead."""
+    own, table = rig.limits, rig.table_elevation
+    while True:
+        travel, (low, high) = rng.uniform(1.0, 7.0) * rng.choice([-1.0, 1.0]), rng.uniform(-0.12, 0.12, 2)
+        has = dict(
+            zip(("floor", "window", "rates", "slew", "via", "free", "start", "goal", "lead"), rng.random(9) < 0.3)
+        )
+        limits: dict[str, float] = {}
+        if has["window"]:
+            limits |= {"elevation_min": min(low, high) - 0.06, "elevation_max": max(low, high) + 0.06}
+        if has["rates"]:
+            limits |= {"travel_rate": rng.uniform(0.6, 1.5), "elevation_rate": rng.uniform(0.1, 0.4)}
+        if has["slew"] and not has["lead"]:
+            limits["slew"] = rng.uniform(0.4, 3.0) * (own.u_max - own.u_min)
+        floor = None
+        if has["floor"]:
+            at = np.sort([0.0, travel]) @ np.array([[1.0], [0.0]]) + np.linspace(0.0, abs(travel), 201)
+            height, width = rng.uniform(0.1, 0.25), rng.uniform(0.3, 0.8)
+            below = max(low, high, 0.0) + 0.1
+            floor = at, below - (below - min(low, high, 0.0) + height) * np.exp(-(((at - travel / 2.0) / width) ** 2))
+        moving = np.array([travel, 0.3, high, 0.03, 0.1, 0.0]) * [1.0, np.sign(travel), 1.0, 1.0, 1.0, 1.0]
+        via = ((None, 0.5 * travel, min(low, high) - 0.05),) if has["via"] and not has["floor"] else ()
+        try:
+            maneuver = Maneuver(
+                (0.0, low),
+                (travel, None if has["free"] and not has["goal"] else high),  # type: ignore[arg-type]
+                1.0,
+                replace(own, **limits),
+                rig=rig,
+                floor=floor,
+                start_state=(0.0, 0.2, low, 0.0, -0.05, 0.0) if has["start"] and not has["lead"] else None,
+                goal_state=tuple(moving) if has["goal"] else None,
+                via=via,
+                lead=bool(has["lead"]),
+            )
+            check_ends(maneuver)
+        except ValueError:
+            continue
+        if max(low, high) < table:
+            return replace(maneuver, duration=6.0 * easy_duration(maneuver))
+
+
+def constraints(args: Args, console: Console) -> None:
+    """Shortest durations of maneuvers with path constraints, ends in motion and lead, of three rigs."""
+    rng, rows = np.random.default_rng(args.seed + 2), list[dict[str, Any]]()
+    for k in track(range(args.fastest), "constraints", console=console):
+        maneuver = constrained_maneuver(rng, find_rig(CONSTRAINED_RIGS[k % len(CONSTRAINED_RIGS)]))
+        trajectory, seconds = time_planner(plan_fastest, maneuver)
+        known = collocated_trajectory(maneuver, "time", COLLOCATION_TIME, smooth=True)
+        found = math.nan if trajectory is None else trajectory.duration
+        optimum = math.nan if known is None else known.duration
+        rows.append(
+            {
+                "rig": maneuver.rig.name,
+                "maneuver": str(maneuver),
+                "floor": maneuver.floor is not None,
+                "in motion": (maneuver.start_state is not None) + (maneuver.goal_state is not None),
+                "collocation": optimum,
+                "spline": found,
+                "ratio": found / optimum,
+                "seconds": seconds,
+            }
+        )
+        write_csv(args.out / "constraints.csv", rows)
+    ratios = np.array([row["ratio"] for row in rows])
+    both = ratios[np.isfinite(ratios)]
+    console.print(
+        f"{len(rows)} maneuvers: {sum(math.isfinite(row['spline']) for row in rows)} planned by splines, "
+        f"{sum(math.isfinite(row['collocation']) for row in rows)} by collocation; of {len(both)} by both, the splines "
+        f"take {both.min() - 1.0:.1%} to {both.max() - 1.0:.1%} more time, median {np.median(both) - 1.0:.1%}"
+    )
+
+
+def objectives(args: Args, console: Console) -> None:
+    """Flights of the paper's controller along plans for each objective, on `lab` and `fleet`."""
+    rows: list[dict[str, Any]] = []
+    for duration in OBJECTIVE_DURATIONS:
+        for objective in ("effort", "reserve", "smoothest"):
+            trajectory = plan(Maneuver(duration=duration, rig=find_rig(args.rig)), objective=objective)
+            for plant in ("lab", "fleet"):
+                flown = flights(trajectory, plant, args.draws, seed=0)
+                rows.append({"objective": objective, "duration (s)": duration, "plant": plant, **flown})
+                write_csv(args.out / "objectives.csv", rows)
+    console.print(as_table(rows))
+
+
+def solvers(args: Args, console: Console) -> None:
+    """Least effort and the paper's (38) by other solvers: time, effort, reserve, and largest violation in between."""
+    maneuver = Maneuver(duration=LEISURE, rig=find_rig(args.rig))
+    candidates: dict[str, Callable[[], Trajectory | None]] = {
+        "spline, smoothest": lambda: plan(maneuver, "spline"),
+        "spline, least effort": lambda: plan(maneuver, objective="effort"),
+        "spline, most reserve": lambda: plan(maneuver, objective="reserve"),
+        "paper, (38) by shooting": lambda: plan(maneuver, "paper"),
+        "flat": lambda: plan(maneuver, "flat"),
+        "paper, (38) by solve_bvp": lambda: plan_by_bvp(maneuver),
+        "collocation, IPOPT": lambda: plan(maneuver, "collocation"),
+        "multiple shooting, IPOPT": lambda: multiple_shooting(maneuver, "ipopt"),
+        "multiple shooting, fatrop": lambda: multiple_shooting(maneuver, "fatrop"),
+    }
+    if importlib.util.find_spec("do_mpc") is not None:
+        candidates["do-mpc"] = lambda: plan_by_do_mpc(maneuver)
+    rows = []
+    for name, solve in candidates.items():
+        solve()
+        began = time.perf_counter()
+        trajectory = solve()
+        seconds = time.perf_counter() - began
+        if trajectory is None:
+            console.print(f"{name}: no solution")
+            continue
+        rows.append({"solver": name, "time (ms)": 1e3 * seconds, **plan_measures(maneuver, trajectory)})
+    write_csv(args.out / "solvers.csv", rows)
+    console.print(as_table(rows))
+
+
+def plan_measures(maneuver: Maneuver, trajectory: Trajectory) -> dict[str, float]:
+    """Duration, effort, reserve and violations of a plan, flown open loop by scipy between its samples."""
+    times, (u_min, u_max), rig = trajectory.t, maneuver.limits.u, maneuver.rig
+
+    def rhs(t, x):
+        u = np.array([np.interp(t, times, row) for row in trajectory.u])
+        return dynamics(x, virtual_input(rig.thrust(u)), maneuver.parameters, math.sin, math.cos)
+
+    flown = solve_ivp(rhs, (0.0, times[-1]), trajectory.x[:, 0], "DOP853", rtol=1e-8, atol=1e-10, max_step=0.02).y
+    f, hover = rig.thrust(trajectory.u), 0.5 * hover_input(maneuver.goal[1], maneuver.parameters)[0]
+    pitch_low, pitch_high = maneuver.limits.pitch
+    free = min(
+        (trajectory.u.min() - u_min) / (0.5 * (u_max - u_min)),
+        (u_max - trajectory.u.max()) / (0.5 * (u_max - u_min)),
+        1.0 - flown[4].max() / pitch_high,
+        1.0 - flown[4].min() / pitch_low,
+    )
+    over = max(u_min - trajectory.u.min(), trajectory.u.max() - u_max, 0.0)
+    tilted = max(pitch_low - flown[4].min(), flown[4].max() - pitch_high, 0.0)
+    return {
+        "duration (s)": trajectory.duration,
+        "effort (N² s)": float(np.trapezoid(((f - hover) ** 2).sum(axis=0), times)),
+        "reserve (%)": 100.0 * float(free),
+        "over voltage (V)": float(over),
+        "over pitch (deg)": float(np.degrees(tilted)),
+        "misses goal (deg)": float(np.degrees(np.abs(flown[:, -1] - maneuver.ends[1]).max())),
+    }
+
+
+def plan_by_bvp(maneuver: Maneuver) -> Trajectory | None:
+    """Plan of (38) by scipy's `solve_bvp` from the unconstrained plan, as in the paper."""
+    solution = solve_from_unconstrained(maneuver)
+    return None if solution is None else ConstrainedProblem(maneuver).trajectory(solution)
+
+
+def multiple_shooting(maneuver: Maneuver, solver: str, intervals: int = 100) -> Trajectory | None:
+    """Least effort by CasADi's multiple shooting with constant thrusts, one Runge-Kutta step per interval."""
+    ca = importlib.import_module("casadi")
+    p, limits, h = maneuver.parameters, maneuver.limits, maneuver.duration / intervals
+    x, f = ca.SX.sym("x", 6), ca.SX.sym("f", 2)
+    rate = dynamics(ca.vertsplit(x), (f[0] + f[1], f[0] - f[1]), p, ca.sin, ca.cos)
+    rhs = ca.Function("rhs", [x, f], [ca.vertcat(*rate)])
+    k1 = rhs(x, f)
+    k2, k3 = rhs(x + 0.5 * h * k1, f), None
+    k3 = rhs(x + 0.5 * h * k2, f)
+    k4 = rhs(x + h * k3, f)
+    step = ca.Function("step", [x, f], [x + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)])
+    problem, states, inputs = ca.Opti(), [], []
+    for k in range(intervals + 1):
+        states.append(problem.variable(6))
+        if k < intervals:
+            inputs.append(problem.variable(2))
+    low, high = maneuver.rig.thrust_bounds(limits.u)
+    hover = 0.5 * float(hover_input(maneuver.goal[1], p)[0])
+    for k in range(intervals + 1):
+        if k < intervals:
+            problem.subject_to(states[k + 1] == step(states[k], inputs[k]))
+        if k in (0, intervals):
+            problem.subject_to(states[k] == maneuver.ends[0 if k == 0 else 1])
+        else:
+            problem.subject_to(problem.bounded(limits.pitch_min, states[k][4], limits.pitch_max))
+        if k < intervals:
+            problem.subject_to(problem.bounded(low, inputs[k], high))
+            problem.set_initial(inputs[k], hover)
+    problem.minimize(sum(ca.sumsqr(f - hover) for f in inputs))
+    quiet: dict[str, Any] = {"expand": True, "print_time": False}
+    if solver == "fatrop":
+        problem.solver(solver, quiet | {"structure_detection": "auto"}, {"print_level": 0})
+    else:
+        problem.solver(solver, quiet, {"print_level": 0, "sb": "yes"})
+    try:
+        solution = problem.solve()
+    except RuntimeError:
+        return None
+    thrusts = np.array([np.asarray(solution.value(f)).ravel() for f in inputs]).T
+    return held_thrusts(maneuver, thrusts, np.array([np.asarray(solution.value(state)).ravel() for state in states]).T)
+
+
+def held_thrusts(maneuver: Maneuver, f: np.ndarray, x: np.ndarray) -> Trajectory:
+    """Trajectory of thrusts (2, N) that are constant over equal intervals, between states x (6, N + 1)."""
+    intervals = f.shape[1]
+    t = np.linspace(0.0, maneuver.duration, intervals + 1)
+    u = maneuver.rig.voltage(np.clip(f, *maneuver.rig.thrust_bounds(maneuver.limits.u)))
+    before_steps = t[1:-1] - 1e-6  # voltages are linear between samples: steps take a microsecond
+    times = np.sort(np.concatenate((t, before_steps)))
+    held = u[:, np.clip(np.floor((times + 1e-9) / t[1]).astype(int), 0, intervals - 1)]
+    states = np.stack([np.interp(times, t, row) for row in x])
+    return Trajectory(times, states, held, maneuver.limits, maneuver.rig)
+
+
+def plan_by_do_mpc(maneuver: Maneuver, intervals: int = 100) -> Trajectory | None:
+    """Least effort by do-mpc's collocation (IPOPT): one prediction over the whole duration, from the start."""
+    ca, do_mpc = importlib.import_module("casadi"), importlib.import_module("do_mpc")
+    p, limits = maneuver.parameters, maneuver.limits
+    model = do_mpc.model.Model("continuous")
+    x, f = model.set_variable("_x", "x", (6, 1)), model.set_variable("_u", "f", (2, 1))
+    rate = dynamics(ca.vertsplit(x), (f[0] + f[1], f[0] - f[1]), p, ca.sin, ca.cos)
+    model.set_rhs("x", ca.vertcat(*rate))
+    model.setup()
+    mpc = do_mpc.controller.MPC(model)
+    mpc.set_param(n_horizon=intervals, t_step=maneuver.duration / intervals, store_full_solution=True)
+    mpc.settings.supress_ipopt_output()
+    hover = 0.5 * float(hover_input(maneuver.goal[1], p)[0])
+    mpc.set_objective(mterm=ca.DM(0.0), lterm=ca.sumsqr(f - hover))
+    low, high = maneuver.rig.thrust_bounds(limits.u)
+    mpc.bounds["lower", "_u", "f"], mpc.bounds["upper", "_u", "f"] = low, high
+    pitch = [-math.inf, -math.inf, -math.inf, -math.inf, limits.pitch_min, -math.inf]
+    mpc.bounds["lower", "_x", "x"] = np.array(pitch)
+    mpc.bounds["upper", "_x", "x"] = np.array([*([math.inf] * 4), limits.pitch_max, math.inf])
+    mpc.terminal_bounds["lower", "x"] = mpc.terminal_bounds["upper", "x"] = maneuver.ends[1]
+    mpc.setup()
+    mpc.x0, mpc.u0 = maneuver.ends[0], np.full(2, hover)
+    mpc.set_initial_guess()
+    mpc.make_step(maneuver.ends[0])
+    if not mpc.solver_stats["success"]:
+        return None
+    thrusts = np.array(
+        [np.asarray(mpc.opt_x_num["_u", k, 0] * mpc.opt_x_scaling["_u", k, 0]).ravel() for k in range(intervals)]
+    )
+    states = np.array([np.asarray(mpc.opt_x_num["_x", k, 0, -1]).ravel() for k in range(intervals + 1)])
+    return held_thrusts(maneuver, thrusts.T, states.T)
 
 
 def shortest_known(maneuver: Maneuver) -> float:
@@ -352,15 +599,15 @@ def reserve(args: Args, console: Console, engine: Engine) -> None:
     console.print(as_table(rows))
 
 
-def flights(trajectory: Trajectory, plant: str, draws: int) -> dict[str, Any]:
-    """Errors and success of held-out helicopters with the paper's controller along a plan, from starts up to 5° off."""
+def flights(trajectory: Trajectory, plant: str, draws: int, seed: int = HELD_OUT_SEED) -> dict[str, Any]:
+    """Errors and success with the paper's controller along a plan, from starts up to 5° off; draws from a seed on."""
     env = gym.make(
         "Heli3DOF-v0", plant=plant, reference=trajectory, start_spread_deg=START_SPREAD_DEG, rig=trajectory.rig
     )
     policy = make_policy("feedforward+tvlqr", trajectory)
     core: Any = env.unwrapped
     flown = [
-        flight_metrics(fly(env, policy, seed=HELD_OUT_SEED + k), trajectory, core.voltage_limits, core.pitch_limit)
+        flight_metrics(fly(env, policy, seed=seed + k), trajectory, core.voltage_limits, core.pitch_limit)
         for k in range(draws)
     ]
     arrived = sum(metrics.success for metrics in flown)
@@ -397,6 +644,9 @@ PARTS: dict[str, Callable[[Args, Console, Engine], None]] = {
     "trade-off": trade_off,
     "methods": methods,
     "reserve": reserve,
+    "constraints": constraints,
+    "objectives": objectives,
+    "solvers": solvers,
 }
 
 

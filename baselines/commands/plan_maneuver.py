@@ -41,6 +41,8 @@ class Args:
     elevation_rate_deg: float | None = None  # greatest elevation rate in deg/s, in both directions
     slew: float | None = None  # V/s, greatest change of a voltage
     floor: Path | None = None  # .csv file with columns travel_deg, elevation_deg: a line in space below the flight
+    via: Path | None = None  # .csv file with columns time, travel_deg, elevation_deg: points passed in motion
+    lead: bool = False  # the voltages lead the rotors' nominal lag and dead time
     method: Literal["auto", "paper", "spline", "flat", "collocation"] = "auto"  # collocation requires the extra ocp
     objective: Literal["shortest", "effort", "reserve", "smoothest"] | None = None  # by default the method's own
     fastest: bool = False  # search for the shortest duration, up to `duration`
@@ -83,6 +85,8 @@ def requested_maneuver(args: Args) -> Maneuver:
         limits=limits,
         rig=rig,
         floor=floor,
+        via=() if args.via is None else read_via(args.via),
+        lead=args.lead,
     )
 
 
@@ -111,6 +115,23 @@ def read_floor(path: Path) -> tuple[tuple[float, ...], tuple[float, ...]]:
         return travel, elevation
     except (KeyError, TypeError, ValueError) as error:
         raise ValueError(f"floor = {str(path)!r}: must have the columns travel_deg and elevation_deg") from error
+
+
+def read_via(path: Path) -> tuple[tuple[float | None, float, float | None], ...]:
+    """Via points in s and rad. Raises ValueError for a file without these columns."""
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        return tuple(
+            (
+                float(row["time"]) if row["time"] else None,
+                radians(float(row["travel_deg"])),
+                radians(float(row["elevation_deg"])) if row["elevation_deg"] else None,
+            )
+            for row in rows
+        )
+    except (KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"via = {str(path)!r}: must have the columns time, travel_deg and elevation_deg") from error
 
 
 def plan_requested(maneuver: Maneuver, args: Args) -> Trajectory:

@@ -118,12 +118,11 @@ def plan(
             )
         if objective is not None:
             raise ValueError(f"objective = {objective!r}: must go without a plan near by")
-    if not maneuver.is_from_rest_to_rest and method == "auto":
-        method = "spline"
 
     def search(maneuver: Maneuver) -> Trajectory:
         if near is not None:
-            return NEARBY[method](maneuver, near, clock) or METHODS[method](maneuver, clock)
+            nearby = spline_near if method == "auto" and not maneuver.is_from_rest_to_rest else NEARBY[method]
+            return nearby(maneuver, near, clock) or METHODS[method](maneuver, clock)
         return (METHODS[method] if objective is None else OBJECTIVES[objective])(maneuver, clock)
 
     return plan_leading(maneuver, search, clock) if maneuver.lead else search(maneuver)
@@ -179,8 +178,6 @@ def plan_fastest(
     check_method(maneuver, method)
     if any(time is not None for time, *_ in maneuver.via):
         raise ValueError(f"via = {maneuver.via}: must be without times to be passed as fast as possible")
-    if not maneuver.is_from_rest_to_rest and method == "auto":
-        method = "spline"
     requested = replace(maneuver, limits=with_reserve(maneuver.limits, reserve))
     clock = start_clock(maneuver, time_limit)
     search = partial(FASTEST[method], clock=clock)
@@ -217,6 +214,8 @@ def with_reserve(limits: Limits, reserve: float) -> Limits:
 
 def plan_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """The paper's plan if shooting finds one, otherwise a spline, otherwise a plan by another method."""
+    if not maneuver.is_from_rest_to_rest:
+        return first_plan(("spline", "collocation"), METHODS, maneuver, clock)
     trajectory = plan_by_shooting(maneuver, clock)
     if trajectory is not None:
         return trajectory
@@ -235,7 +234,8 @@ def plan_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 def plan_fastest_auto(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Fastest spline, otherwise the fastest plan by another method."""
-    return first_plan(("spline", "collocation", "flat", "paper"), FASTEST, maneuver, clock)
+    names = ("spline", "collocation", "flat", "paper") if maneuver.is_from_rest_to_rest else ("spline", "collocation")
+    return first_plan(names, FASTEST, maneuver, clock)
 
 
 def first_plan(names: tuple[str, ...], methods: dict, maneuver: Maneuver, clock: TimeLimit) -> Trajectory:

@@ -23,6 +23,7 @@ from heli_gym.model import dynamics, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory, hover_thrust_sum
 
 SEGMENTS = (30, 60)  # of the splines, tried in this order: fewer are faster and smoother
+OPTIMUM_SEGMENTS = (90, *SEGMENTS)  # least effort is within 1 % of that of collocation
 SHORTEST_SEGMENTS = (36, 72, 144)  # the shortest durations take more segments
 REPLAN_DENSITY, FEWEST, REPLAN_ITERATIONS = 2.5, 12, 30  # segments per s, fewest segments, and iterations in flight
 LONGER, QUICK, QUICK_ITERATIONS = (2.0, 0.7), 1e-3, 80  # s beyond the requested duration, for the fastest in flight
@@ -38,6 +39,7 @@ END_MARGIN = 0.02  # rad, of pitch coefficients next to an end in motion
 ROUGHNESS = 1e-4  # weight of smoothness (integral of squared N/s) relative to the logarithm of the duration
 TOLERANCE = 1e-7  # rad/s² and N
 ITERATIONS = {"fixed": 200, "fastest": 1000}
+GENERAL_ITERATIONS = 300  # for the fastest plan of maneuvers other than from rest to rest
 SWING = 0.8  # pitch amplitude of the guess, as a share of the pitch limit
 EASY = 2.0  # ratio of the search's initial duration to a rough bound for travel alone
 STRETCHES = (1.0, 1.6, 0.7, 1.25, 2.5, 4.0)  # factors on that duration, tried until one gives a plan
@@ -404,18 +406,23 @@ def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[
 
 
 def solve_within_limits(
-    maneuver: Maneuver, optimum, start: Spline, barrier: float = COLD, iterations: int | None = None
+    maneuver: Maneuver,
+    optimum,
+    start: Spline,
+    barrier: float = COLD,
+    iterations: int | None = None,
+    on_the_way: bool = False,
 ) -> tuple[Spline, Trajectory] | None:
     """Optimal spline and its trajectory within the limits; None if there is none. `optimum` is `smoothest` or another.
 
-    Path constraints are added when a plan first violates them, and bounds are tightened by the excess of a plan between
-    the collocation points.
+    Path constraints are added when a plan first violates them, or from the beginning with `on_the_way`, and bounds are
+    tightened by the excess of a plan between the collocation points.
     """
     limits = low, high = maneuver.rig.thrust_bounds(maneuver.limits.u)
     tighter: dict[str, float] = {}
     over: dict[str, float] = {}
-    on_the_way, voltages, vias = bool(start.by_path), None, np.zeros((len(maneuver.via), 2))
-    if on_the_way:
+    on_the_way, voltages, vias = on_the_way or bool(start.by_path), None, np.zeros((len(maneuver.via), 2))
+    if start.by_path:
         voltages = maneuver.rig.voltage(np.clip(sample(maneuver, start)[2], *limits))
     lag, linearised = path_limits(maneuver).lead, 0
     for _ in range(TIGHTENINGS):
@@ -495,8 +502,11 @@ def sample(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray, 
 
 
 def plan_smoothest(maneuver: Maneuver, optimum: Callable = smoothest) -> Trajectory | None:
-    """Plan for an objective in the maneuver's duration, from the initial guess, with the fewest segments that work."""
-    for segments in SEGMENTS:
+    """Plan for an objective in the maneuver's duration, from the initial guess, by the first number of segments.
+
+    The smoothest plan takes the fewest segments that work.
+    """
+    for segments in OPTIMUM_SEGMENTS if optimum is least_effort else SEGMENTS:
         found = solve_within_limits(maneuver, optimum, guess(maneuver, maneuver.duration, segments))
         if found is not None:
             return found[1]
@@ -560,6 +570,10 @@ def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline,
 
     It starts with few segments from an easy duration; each result is the initial guess for more segments.
     """
+    path = path_limits(maneuver)
+    # a slow guess meets limits on rates, which a fast plan exceeds by far
+    is_fast_limited = not (path.travel_rate is path.elevation_rate is path.slew is path.lead is None)
+    iterations = None if maneuver.is_from_rest_to_rest else GENERAL_ITERATIONS
     for stretch in STRETCHES:
         duration = stretch * easy_duration(maneuver)
         is_dense = maneuver.floor is not None or maneuver.limits.travel_rate is not None
@@ -568,7 +582,12 @@ def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline,
             check()
             if len(start.coefficients) - REST < segments:
                 start = refined(start)
-            found = solve_within_limits(maneuver, fastest, start, barrier) or found
+            if found is None and is_fast_limited:
+                found = solve_within_limits(maneuver, fastest, start, barrier, iterations, on_the_way=True)
+                if found is not None:
+                    start, barrier = found[0], WARM
+                    continue
+            found = solve_within_limits(maneuver, fastest, start, barrier, iterations) or found
             if found is not None:
                 start, barrier = found[0], WARM
         if found is not None:

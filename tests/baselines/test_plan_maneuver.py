@@ -161,3 +161,14 @@ def test_a_floor_without_its_columns_is_refused(tmp_path):
     (tmp_path / "floor.csv").write_text("a,b\n1,2\n")
     with pytest.raises(ValueError, match=r"^floor = .*travel_deg and elevation_deg"):
         plan_maneuver.requested_maneuver(Args(floor=tmp_path / "floor.csv"))
+
+
+def test_via_points_and_lead_are_those_of_the_plan(tmp_path):
+    (tmp_path / "via.csv").write_text("time,travel_deg,elevation_deg\n4,90,-3\n,120,2\n")
+    requested = plan_maneuver.requested_maneuver(Args(via=tmp_path / "via.csv", lead=True))
+    rad = math.radians
+    assert requested.via == ((4.0, rad(90.0), rad(-3.0)), (None, rad(120.0), rad(2.0)))
+    assert requested.lead
+    (tmp_path / "via.csv").write_text("a\n1\n")
+    with pytest.raises(ValueError, match=r"^via = .*time, travel_deg and elevation_deg"):
+        plan_maneuver.requested_maneuver(Args(via=tmp_path / "via.csv"))
