@@ -163,8 +163,8 @@ def validate_floor(floor: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
     try:
         travel, elevation = map(real_array, floor)
     except (TypeError, ValueError):
-        travel = elevation = None
-    fits = travel is not None and elevation is not None and travel.ndim == 1 and travel.shape == elevation.shape
+        travel = elevation = np.zeros(0)
+    fits = travel.ndim == 1 and travel.shape == elevation.shape
     if not fits or not (len(travel) > 1 and np.isfinite([travel, elevation]).all() and (np.diff(travel) > 0.0).all()):
         raise ValueError(
             f"floor = {shown(floor)}: must be (travel, elevation), finite (N,) each, in rad, travel increasing"

@@ -274,7 +274,8 @@ def collocate_from_relaxed(
 ) -> Collocation | None:
     """Solution of `collocate` from one without path constraints and lead; None if there is none."""
     relaxed = dict.fromkeys(PATH_LIMITS)
-    easier = replace(maneuver, limits=replace(maneuver.limits, **relaxed), floor=None, lead=False)
+    limits = replace(maneuver.limits, **relaxed)  # type: ignore[arg-type]
+    easier = replace(maneuver, limits=limits, floor=None, lead=False)
     found = None
     for step in (easier, replace(easier, limits=maneuver.limits, floor=maneuver.floor), maneuver):
         if found is None and step is not easier:

@@ -180,7 +180,10 @@ def plan_fastest(
         raise ValueError(f"via = {maneuver.via}: must be without times to be passed as fast as possible")
     requested = replace(maneuver, limits=with_reserve(maneuver.limits, reserve))
     clock = start_clock(maneuver, time_limit)
-    search = partial(FASTEST[method], clock=clock)
+
+    def search(maneuver: Maneuver) -> Trajectory:
+        return FASTEST[method](maneuver, clock)
+
     fastest = plan_leading(requested, search, clock) if maneuver.lead else search(requested)
     return replace(fastest, limits=maneuver.limits)
 
