@@ -13,7 +13,7 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 from heli_gym.baselines.paper.boundary_value import sample_times
-from heli_gym.baselines.planning.path import PathLimits, excesses, path_limits
+from heli_gym.baselines.planning.path import PATH_TOLERANCE, PathLimits, excesses, path_limits
 from heli_gym.baselines.planning.spline import LEAD_MARGIN, via_estimates
 from heli_gym.model import dynamics, hover_input, virtual_input
 from heli_gym.parameters import PATH_LIMITS
@@ -254,7 +254,11 @@ def collocated_trajectory(
         trajectory = sample(replace(maneuver, duration=float(found.t[-1])), found)
         pitch, (low, high) = trajectory.x[4], maneuver.limits.pitch
         excess = max(low - pitch.min(), pitch.max() - high) + RESERVE
-        over = {n: e for n, e in excesses(maneuver, trajectory.t, trajectory.x, trajectory.u).items() if e > 0.0}
+        over = {
+            n: e
+            for n, e in excesses(maneuver, trajectory.t, trajectory.x, trajectory.u).items()
+            if e > 0.5 * PATH_TOLERANCE
+        }
         if excess <= 0.0 and not over:
             return trajectory
         tighter |= {name: tighter.get(name, 0.0) + 1.5 * amount for name, amount in over.items()}

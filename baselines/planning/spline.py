@@ -18,7 +18,7 @@ from scipy.interpolate import CubicSpline, PchipInterpolator
 from heli_gym.baselines.paper.boundary_value import RISE, sample_times
 from heli_gym.baselines.paper.normal_form import internal_dynamics, travel_damping
 from heli_gym.baselines.planning.lead import leading_commands
-from heli_gym.baselines.planning.path import RECOVERY, excesses, passages, path_limits, pitch_window
+from heli_gym.baselines.planning.path import PATH_TOLERANCE, RECOVERY, excesses, passages, path_limits, pitch_window
 from heli_gym.model import dynamics, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory, hover_thrust_sum
 
@@ -34,6 +34,7 @@ COLD, LUKEWARM, WARM = 0.1, 1e-2, 1e-3  # initial one: from a guess, from a solu
 EXACT = 1e-4  # final barrier parameter for the exactly smoothest plan, as a share of its roughness
 EFFORT, EFFORT_ROUGHNESS = 10.0, 1e-4  # weights of the squared distance from hover thrusts, and of smoothness
 STEEPEST = 0.5 * math.pi  # rad, of any elevation
+ROUNDED = 0.5 * PATH_TOLERANCE  # excess over a path constraint that is none
 LEAD_MARGIN = 0.02  # V, for corrections of leading commands
 END_MARGIN = 0.02  # rad, of pitch coefficients next to an end in motion
 ROUGHNESS = 1e-4  # weight of smoothness (integral of squared N/s) relative to the logarithm of the duration
@@ -437,7 +438,7 @@ def solve_within_limits(
         u = voltages = maneuver.rig.voltage(np.clip(f, *limits))
         if lag is not None:
             u = voltages + lag * np.gradient(voltages, t, axis=1)
-        over = {name: excess for name, excess in excesses(maneuver, t, x, u).items() if excess > 0.0}
+        over = {name: excess for name, excess in excesses(maneuver, t, x, u).items() if excess > ROUNDED}
         missed = passages(maneuver, t, x)
         if max(below, above) <= 0.0 and not over and np.abs(missed).max(initial=0.0) <= VIA_ACCURACY:
             if lag is not None:
