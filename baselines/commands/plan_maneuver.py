@@ -60,8 +60,8 @@ def requested_maneuver(args: Args) -> Maneuver:
                 f"{name} = {getattr(args, name)!r}: must be at most {FARTHEST_DEG:g} degrees on either side"
             )
     rig = find_rig(args.rig)
-    if args.pitch_limit_deg is not None and not 0.0 < args.pitch_limit_deg < 90.0:
-        raise ValueError(f"pitch_limit_deg = {args.pitch_limit_deg!r}: must be more than 0 and less than 90 degrees")
+    if args.pitch_limit_deg is not None and not 0.01 <= args.pitch_limit_deg < 90.0:
+        raise ValueError(f"pitch_limit_deg = {args.pitch_limit_deg!r}: must be at least 0.01 and less than 90 degrees")
     pitch_min, pitch_max = rig.limits.pitch
     if args.pitch_limit_deg is not None:
         pitch_max = radians(args.pitch_limit_deg)

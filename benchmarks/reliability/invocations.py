@@ -216,12 +216,9 @@ def names_cause(arguments: list[str], said: str) -> bool:
     """Whether a line names an option, or a value, of the arguments."""
     words = [argument.lstrip("-").partition("=")[0] for argument in arguments]
     words += [part for argument in arguments if argument.startswith("/") for part in Path(argument).parts[2:]]
-    plain = [word for word in words if len(word) > 2 and word.isascii() and word.isprintable()]
-    return (
-        not plain
-        or "Missing" in said
-        or any(w[:8] in said or w.replace("-", "_").removesuffix("_deg") in said for w in plain)
-    )
+    plain = [word for word in words if word and word.isascii() and word.isprintable()]
+    shown = [name for word in plain for name in (word[:8], word.replace("-", "_").removesuffix("_deg"))]
+    return not plain or "Missing" in said or "Unrecognized" in said or any(name in said for name in shown)
 
 
 def judge(program: str, arguments: list[str], status: int | None, said: str, before: dict, after: dict) -> str:
