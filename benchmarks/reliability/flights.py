@@ -58,6 +58,21 @@ def together(plant: str, threads: int = 1, dtype: str = "float64", j: int | None
     return sha(np.array(rows)[:, 0] if j is not None else np.array(rows))
 
 
+def distance(plant: str, j: int) -> float:
+    """Greatest difference in rad or rad/s between a flight alone and in a vector environment."""
+    envs, env = Heli3DOFVectorEnv(COUNT, plant, start_spread_deg=5.0), Heli3DOFEnv(plant, start_spread_deg=5.0)
+    envs.reset(seed=SEED)
+    env.reset(seed=SEED + j)
+    greatest = 0.0
+    for step in actions(COUNT):
+        *_, together = envs.step(step)
+        *_, terminated, truncated, alone = env.step(step[j])
+        greatest = max(greatest, float(np.abs(together["state"][j] - alone["state"]).max()))
+        if terminated or truncated:
+            break
+    return greatest
+
+
 def with_feedback() -> str:
     """Flight of the paper's controller on `lab`."""
     reference = find_reference("travel-360")
