@@ -419,6 +419,8 @@ def hover_voltage(plant: Plant, rig: Rig, voltage_limits: tuple[float, float]) -
 def design_parameters(plant: Plant) -> HelicopterParameters:
     """Parameters for the scaling of actions: the plant's unless episodes draw them, else Table I."""
     numbers = plant.parameters
+    if not isinstance(numbers, HelicopterParameters):
+        return HelicopterParameters()
     return numbers if all(isinstance(number, Real) for number in numbers) else HelicopterParameters()
 
 

@@ -89,6 +89,8 @@ def rig_to_fly(rig: Any, plant: Plant, reference: Any) -> Rig:
     if NOMINAL_RIGS[preset] != PAPER.name:
         return find_rig(NOMINAL_RIGS[preset])
     own = reference.rig if isinstance(reference, Trajectory) else PAPER
+    if isinstance(plant.parameters, OneOf) or isinstance(plant.thrust_map, OneOf):
+        return PAPER
     is_own = own.parameters[2:] == plant.parameters[2:] and plant_thrust_map(plant) == own.thrust_map
     return own if is_own else PAPER
 

@@ -28,6 +28,7 @@ GRAVITY = 9.81  # m/s²
 COEFFICIENTS = ("a1", "a2", "a3", "b1", "b2", "b3", "c1", "c2", "c3")
 LEAST_COEFFICIENT, LARGEST_COEFFICIENT = 1e-6, 1e4  # of (3), and of masses and lengths, in SI units
 LONGEST_DELAY = 0.5  # s
+LEAST_STOP = 1e-3  # rad, of the pitch axis
 RESERVE = 1.0 / 12.0  # share of the amplifier's range unused by plans at each end, as in (9) for 0 to 12 V
 PITCH_SHARE = 5.0 / 8.0  # share of the pitch limit used by plans, as in (9) for 80 degrees
 
@@ -221,8 +222,8 @@ class Rig:
 
     def _check_limits(self) -> None:
         value = self.pitch_limit
-        allowed = is_number(value) and 0.0 < value < math.pi / 2
-        require("pitch_limit", value, allowed, "more than 0 and less than pi/2 rad")
+        allowed = is_number(value) and LEAST_STOP <= value < math.pi / 2
+        require("pitch_limit", value, allowed, f"more than 0 and less than pi/2 rad, at least {LEAST_STOP:g}")
         value = self.table_elevation
         allowed = is_number(value) and abs(value) < math.pi / 2
         require("table_elevation", value, allowed, "more than -pi/2 and less than pi/2 rad")

@@ -392,7 +392,10 @@ class Draw:
             "threads": lambda: self.choice("threads", (1, 2)),
         }
         self.names |= set(options)
-        return self.env() | self.several(options)
+        chosen = self.env() | self.several(options)
+        if isinstance(chosen.get("reference"), ManeuverSampler):
+            chosen["num_envs"] = 2  # each helicopter plans its own maneuver
+        return chosen
 
     def reset_options(self, n: int | None) -> dict[str, Any]:
         self.names |= {"seed", "options"}

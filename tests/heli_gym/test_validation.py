@@ -185,6 +185,8 @@ def test_environments_that_would_take_gigabytes_are_refused_by_name(make):
         Plant(rotors=OneOf((Rotors(lag=0.1),))),
         Plant(sensors=OneOf((None, Sensors(noise=0.01)))),
         Plant(friction=OneOf((Friction(), Friction((1.0,) * 3)))),
+        Plant(OneOf((HP(), HP(b1=-0.6)))),
+        Plant(thrust_map=OneOf((PowerCurve(5e-3), PowerCurve(0.05, 0.0, 1.0)))),
         Plant(disturbances=(OneOf((Gust("pitch", 0.1), Push("pitch", 0.1, 0.0))),)),
     ],
 )
