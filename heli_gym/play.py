@@ -10,7 +10,7 @@ import math
 import sys
 import warnings
 from itertools import combinations
-from typing import Any
+from typing import Any, NoReturn
 
 import gymnasium as gym
 import numpy as np
@@ -145,9 +145,17 @@ def main(arguments: list[str] | None = None) -> None:
         run(sys.argv[1:] if arguments is None else arguments)
 
 
+class Parser(argparse.ArgumentParser):
+    """Parser whose errors are ValueErrors, one line each like those of all commands."""
+
+    def error(self, message: str) -> NoReturn:
+        """Raise ValueError with the message."""
+        raise ValueError(f"{message}; see heli-play --help")
+
+
 def run(arguments: list[str]) -> None:
     """Parse the arguments and fly."""
-    parser = argparse.ArgumentParser(prog="heli-play", allow_abbrev=False, description=__doc__.partition("\n\n")[2])
+    parser = Parser(prog="heli-play", allow_abbrev=False, description=__doc__.partition("\n\n")[2])
     parser.add_argument("--assist", action="store_true", help="let the paper's feedback help")
     parser.add_argument("--plant", default="nominal", help="nominal, lab or rigid (default: %(default)s)")
     parser.add_argument("--reference", default="travel-360", help="name or .npz file (default: %(default)s)")

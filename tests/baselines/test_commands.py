@@ -136,6 +136,9 @@ REFUSED = {
         (["--seed", "-1"], "seed"),
         (["--reference", "nowhere"], "nowhere"),
         (["--reference", "FILE"], "FILE|reference"),
+        (["--seed", "x"], "seed"),
+        (["--rig"], "rig"),
+        (["positional"], "positional"),
     ],
     "heli-results": [
         (NAMES_NO_PLANT, "plant"),
