@@ -8,7 +8,7 @@ import { type Model, type Pair, clip, inputAt, linearise, rk4Step } from "./mode
 const ANGLES = [0, 2, 4];
 const RATES = [1, 3, 5];
 
-/** From a voltage that is asked for to a thrust. */
+/** Rotors behind a commanded voltage. */
 export interface Actuator {
   lag: number; // s, first order, of the rotor speed
   delay: number; // control periods
@@ -90,7 +90,7 @@ export function kalmanGains(
 }
 
 /** The reference x, v with the pitch and the thrusts that also outweigh disturbances on the three axes. */
-export function accommodated(
+export function disturbanceAccommodated(
   x: readonly number[],
   v: Pair,
   [onTravel, onElevation, onPitch]: readonly number[],

@@ -11,7 +11,7 @@ export interface Rules {
   substep: number; // s
 }
 
-/** One flight, control period by control period; what it was and did is kept at every step. */
+/** One flight, control period by control period; states and voltages of every step are stored. */
 export class Flight {
   readonly x: number[][];
   readonly u: Pair[] = []; // held from each step to the next
@@ -40,8 +40,8 @@ export class Flight {
     if (this.crashed) return;
     const { controlPeriod, amplifier, pitchStop } = this.rules;
     const k = this.x.length - 1;
-    const asked = this.controller.voltages(k, measurement(this.state));
-    const u = asked.map((volts) => clip(volts, amplifier)) as Pair;
+    const command = this.controller.voltages(k, measurement(this.state));
+    const u = command.map((volts) => clip(volts, amplifier)) as Pair;
     const [from, to] = [k * controlPeriod, (k + 1) * controlPeriod];
     const now = pushes.filter(({ time, duration }) => time < to && time + duration > from);
     this.state = advance(this.ready, this.state, u, from, controlPeriod, now, pushes.length > 0);

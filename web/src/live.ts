@@ -54,7 +54,7 @@ type SliderId = "duration" | "pitch" | "window" | "startOff";
 
 export function showLive(data: LiveData, main: HTMLElement): void {
   const period = data.control_period;
-  const still = matchMedia("(prefers-reduced-motion: reduce)"); // then, nothing flies before it is asked to
+  const still = matchMedia("(prefers-reduced-motion: reduce)"); // then, nothing flies by itself
   const colours = data.policies.map(({ colour }) => colour);
   const opened = fromHash(location.hash, data);
   let setup = opened.setup;

@@ -1,4 +1,4 @@
-// How lines are told apart without colour: each policy has a marker and a dash pattern, the same in plots and legends.
+// How lines differ without colour: each policy has a marker and a dash pattern, the same in plots and legends.
 
 import { svg } from "./svg";
 

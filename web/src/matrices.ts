@@ -28,7 +28,7 @@ export const zeros = (rows: number, columns: number): Matrix =>
 export const diagonal = (values: readonly number[]): Matrix =>
   values.map((value, i) => values.map((_, j) => (i === j ? value : 0)));
 
-/** A^-1 B for a symmetric, positive definite A, by elimination, which needs no pivots for such an A. */
+/** A^-1 B for a symmetric, positive definite A, by elimination without pivots. */
 export function solved(A: Matrix, B: Matrix): Matrix {
   const n = A.length;
   const rows = A.map((row, i) => [...row, ...B[i]]);

@@ -42,8 +42,8 @@ export interface PlantState {
   x: number[];
   motors: Pair; // V, of the amplifiers
   rotors: Pair; // V, to which the rotor speeds correspond
-  arrived: Pair; // V, asked of the amplifiers
-  pending: Pair[]; // V, asked for and delayed
+  arrived: Pair; // V, the latest command at the amplifiers
+  pending: Pair[]; // V, delayed commands
   angles: number[]; // rad, as measured last
   rates: number[]; // rad/s, as estimated from these
 }
@@ -119,11 +119,11 @@ export function measurement(state: PlantState): number[] {
   return state.angles.flatMap((angle, i) => [angle, state.rates[i]]);
 }
 
-/** The plant dt seconds later, the voltages u having been asked for at the time given. */
+/** The plant dt seconds later, commanded at the given time. */
 export function advance(
   { plant, model, shares, rest, steps }: Prepared,
   state: PlantState,
-  asked: Pair,
+  command: Pair,
   time: number,
   dt: number,
   pushes: Push[],
@@ -132,10 +132,10 @@ export function advance(
   const { rotors, friction, rig, table } = plant;
   const count = steps(isPushed);
   const contact = table ? [table.elevation, table.friction] : [NO_TABLE, 0];
-  const [arriving, ...pending] = [...state.pending, asked];
+  const [arriving, ...pending] = [...state.pending, command];
   let { x, motors, rotors: speeds } = state;
 
-  /** Flies a part of the period in `count` steps, the amplifiers being asked for the voltages u. */
+  /** Flies a part of the period in `count` steps, with the command u at the amplifiers. */
   function fly(u: Pair, since: number, duration: number): void {
     const most = rotors.slew === null ? Infinity : rotors.slew * duration;
     motors = u.map((volts, i) => Math.min(Math.max(volts, motors[i] - most), motors[i] + most)) as Pair;

@@ -1,6 +1,6 @@
 // Controllers, as baselines/control/policies.py has them.
 
-import { type Actuator, type Uncertainty, accommodated, kalmanGains, predict } from "./estimation";
+import { type Actuator, type Uncertainty, disturbanceAccommodated, kalmanGains, predict } from "./estimation";
 import { type Matrix, applied, minus } from "./matrices";
 import { type Model, type Pair, clip, hoverInput, inputAt, voltages } from "./model";
 import type { Plan } from "./plan";
@@ -102,7 +102,7 @@ export interface Task {
 export class KalmanController implements Controller {
   private readonly command: Pair[]; // V: leading, which the actuator turns into the reference's
   private x: readonly number[]; // predicted
-  private pending: Pair[]; // V, asked for and not yet in effect
+  private pending: Pair[]; // V, commands not yet in effect
   disturbance = [0, 0, 0]; // rad/s², estimated
   rotors: Pair; // V, simulated
 
@@ -151,8 +151,8 @@ export class KalmanController implements Controller {
     const { reference, pitchLimits, parameters } = this.task;
     const { least_lift } = this.settings;
     const [v, vReference, vCommand] = [rotors, reference.u[k], this.command[k]].map((u) => inputAt(u, parameters));
-    const hold = accommodated(reference.x[k], vReference, this.disturbance, pitchLimits, least_lift, parameters);
+    const hold = disturbanceAccommodated(reference.x[k], vReference, this.disturbance, pitchLimits, least_lift, parameters);
     const correction = applied(this.gains.regulator[k], [...minus(x, hold.x), ...minus(v, hold.v)]);
-    return voltages(vCommand.map((asked, i) => asked + (hold.v[i] - vReference[i]) - correction[i]) as Pair, parameters);
+    return voltages(vCommand.map((v, i) => v + (hold.v[i] - vReference[i]) - correction[i]) as Pair, parameters);
   }
 }

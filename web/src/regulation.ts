@@ -6,7 +6,7 @@ import type { Parameters } from "./equations";
 import { type Pair, linearise } from "./model";
 import type { Weights } from "./tvlqr";
 
-/** (3), linearised, with v as two more states, which follow the v that is asked for with a lag in s. */
+/** (3), linearised, with v as two more states, which follow the commanded v with a lag in s. */
 function augmented(x: readonly number[], v: Pair, lag: number, parameters: Parameters): { A: Matrix; B: Matrix } {
   const { A, B } = linearise(x, v, parameters);
   return {

@@ -106,7 +106,7 @@ export const TASKS: GuidedTask[] = [
         .slice(-4)
         .map((flight) => `${seconds(flight, data)}, ${flight.experiment.setup.window.join(" to ")} V: ${shown(flight.experiment.endError(flight.flights[PAPER]), 1)}° off`)
         .join("; "),
-    lesson: "A plan with a reserve may arrive sooner than a faster one without: feedback needs voltage too. Try another draw.",
+    lesson: "A plan with a reserve may arrive sooner than a faster one without: feedback takes voltage too. Try another draw.",
   },
   {
     id: "open-loop",
