@@ -9,7 +9,8 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 TUNED := feedforward+tvlqr lqi lag-lqr lag-lqi kalman-lqr
-# `make reproduce ENGINE=ray ADDRESS=auto`, or WORKERS=8 on this machine, gives the same results.
+# `make reproduce ENGINE=ray ADDRESS=auto`, or WORKERS=8 on this machine, trains the same networks; the searches for
+# weights run on one core, because with several they learn from batches of candidates, and end elsewhere.
 ENGINE := local
 ADDRESS :=
 WORKERS := 1

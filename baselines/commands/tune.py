@@ -13,10 +13,11 @@ their returns, and the seconds of the search, are written as JSON.
 
 import json
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, astuple, dataclass, fields, replace
+from functools import lru_cache
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from rich.console import Console
@@ -29,6 +30,7 @@ from heli_gym.baselines.control.discrete_lqr import Weights
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.weights import WEIGHTS, store_weights
+from heli_gym.baselines.evaluation.engine import EngineName, check_engine, in_order, open_engine
 from heli_gym.baselines.evaluation.metrics import crash_cost, tracking_reward
 from heli_gym.cli import command, parse
 from heli_gym.env import reference_for
@@ -40,6 +42,7 @@ from heli_gym.vector_env import Heli3DOFVectorEnv
 
 NEAR = 0.3  # decades; half of the first candidates are this far (standard deviation) from the weights in use
 START_SPREAD_DEG = 5.0
+BATCH = 8  # candidates that tpe proposes together for several workers
 HALF_WIDTH = 1.0  # decades, of the range about a number in use that DECADES does not list
 
 # Search ranges of decimal logarithms. Only ratios matter, so the weight of the thrust sum is fixed.
@@ -58,6 +61,8 @@ DECADES: dict[str, tuple[float, float]] = {
     "pitch_disturbance": (-3.0, 1.0),
     "acceleration": (-3.0, 1.0),
 }
+
+Score = Callable[[Sequence[np.ndarray]], list[float]]
 
 
 @dataclass
@@ -91,6 +96,42 @@ class Args:
     candidates: int = 600  # number of candidates, for any number of weights
     population: int = 40  # candidates in each generation of differential evolution; random ones at first for tpe
     seed: int = 0  # seed of the draws and of the search; the evaluation's draws follow
+    engine: EngineName = "local"  # processes of this machine, or Ray
+    address: str | None = None  # Ray cluster, HOST:PORT or auto; by default one is started on this machine
+    workers: int = 1  # number of processes; one learns from every candidate at once, several from batches of them
+
+    @property
+    def in_batches(self) -> bool:
+        """Whether candidates are proposed in batches, so that any number of workers finds the same weights."""
+        return self.engine != "local" or self.workers > 1
+
+
+class Setting(NamedTuple):
+    """What a candidate flies."""
+
+    policy: str
+    plants: tuple[str, ...]
+    objective: str
+    reference: str
+    rig: str
+    force: bool
+    draws: int
+
+
+@lru_cache(maxsize=2)
+def helicopters(plants: tuple[str, ...], reference: str, rig: str, force: bool, draws: int) -> list[Heli3DOFVectorEnv]:
+    """Helicopters of each plant, made once in each process."""
+    own = find_rig(rig)
+    plan = reference_for(reference, own, force)
+    return [Heli3DOFVectorEnv(draws, plant, plan, start_spread_deg=START_SPREAD_DEG, rig=own) for plant in plants]
+
+
+def mean_return(task: tuple[Setting, Any, int]) -> float:
+    """Mean return of a policy with weights, over draws with seeds from `seed` on."""
+    setting, weights, seed = task
+    envs = helicopters(setting.plants, setting.reference, setting.rig, setting.force, setting.draws)
+    policy = make_policy(setting.policy, envs[0].reference_of(0), envs[0].control_period, weights=weights)
+    return float(np.mean([returns(env, policy, seed, setting.objective) for env in envs]))
 
 
 def search_names(weights: Any) -> list[str]:
@@ -151,6 +192,7 @@ def check(args: Args) -> None:
     for name, least in (("draws", 1), ("population", 5), ("candidates", args.population), ("seed", 0)):
         if getattr(args, name) < least:
             raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least}")
+    check_engine(args.engine, args.workers, args.address)
     if args.method == "tpe":
         import_optuna()
     if args.store:
@@ -170,27 +212,23 @@ def run(args: Args) -> None:
     check(args)
     console = Console()
     rig = find_rig(args.rig)
-    reference = reference_for(args.reference, rig, args.force)
-    envs = [
-        Heli3DOFVectorEnv(args.draws, plant, reference, start_spread_deg=START_SPREAD_DEG, rig=rig)
-        for plant in args.plants
-    ]
+    setting = Setting(args.policy, tuple(args.plants), args.objective, args.reference, args.rig, args.force, args.draws)
+    helicopters(setting.plants, setting.reference, setting.rig, setting.force, setting.draws)  # errors appear here
     in_use = WEIGHTS[args.policy]
     candidates: list[list[float]] = []  # return and decimal logarithms of each
 
-    def mean_return(weights: Any, seed: int) -> float:
-        policy = make_policy(args.policy, reference, envs[0].control_period, weights=weights)
-        return float(np.mean([returns(env, policy, seed, args.objective) for env in envs]))
-
-    def score(decades: np.ndarray) -> float:
-        result = mean_return(with_decades(in_use, decades), args.seed)
-        candidates.append([result, *map(float, decades)])
-        progress.update(task, advance=1, description=f"tuning, best return {best_of(candidates)[0]:.3f}")
-        return result
+    def score(batch: Sequence[np.ndarray]) -> list[float]:
+        tasks = [(setting, with_decades(in_use, decades), args.seed) for decades in batch]
+        results = []
+        for decades, result in zip(batch, in_order(engine.results(mean_return, tasks))):
+            results.append(result)
+            candidates.append([result, *map(float, decades)])
+            progress.update(task, advance=1, description=f"tuning, best return {best_of(candidates)[0]:.3f}")
+        return results
 
     began = time.perf_counter()
     try:
-        with Progress(console=console) as progress:
+        with open_engine(args.engine, args.workers, args.address) as engine, Progress(console=console) as progress:
             task = progress.add_task("tuning", total=args.candidates)
             (by_evolution if args.method == "evolution" else by_tpe)(score, in_use, args)
     except KeyboardInterrupt:
@@ -201,7 +239,7 @@ def run(args: Args) -> None:
     tuned = with_decades(in_use, np.array(best_of(candidates)[1:]))
     both = {"in use": in_use, "tuned": tuned}
     scores = {
-        label: [mean_return(weights, seed) for seed in (args.seed, args.seed + args.draws)]
+        label: [mean_return((setting, weights, seed)) for seed in (args.seed, args.seed + args.draws)]
         for label, weights in both.items()
     }
     if args.store:
@@ -221,7 +259,7 @@ def best_of(candidates: list[list[float]]) -> list[float]:
     return max(candidates, key=lambda row: row[0])
 
 
-def by_evolution(score: Callable[[np.ndarray], float], in_use: Any, args: Args) -> None:
+def by_evolution(score: Score, in_use: Any, args: Args) -> None:
     """Score candidates by differential evolution, from the weights in use, others near them and random ones."""
     names = search_names(in_use)
     low, high = np.array([search_range(in_use, name) for name in names]).T
@@ -230,17 +268,19 @@ def by_evolution(score: Callable[[np.ndarray], float], in_use: Any, args: Args) 
     near, rng = slice(1, args.population // 2), np.random.default_rng(args.seed)
     population[near] = np.clip(population[0] + NEAR * rng.standard_normal(population[near].shape), low, high)
     differential_evolution(
-        lambda decades: -score(decades),
+        lambda decades: -score([decades])[0],
         list(zip(low, high)),
         init=population,
         maxiter=max(1, args.candidates // args.population - 1),
         tol=0.0,  # use the whole budget
         rng=args.seed,
         polish=False,
+        updating="deferred" if args.in_batches else "immediate",
+        workers=(lambda _, batch: [-value for value in score(list(batch))]) if args.in_batches else 1,
     )
 
 
-def by_tpe(score: Callable[[np.ndarray], float], in_use: Any, args: Args) -> None:
+def by_tpe(score: Score, in_use: Any, args: Args) -> None:
     """Score candidates by Optuna's tree-structured Parzen estimator, from the weights in use on.
 
     Source: Bergstra et al., "Algorithms for hyper-parameter optimization", NeurIPS 2011.
@@ -251,9 +291,14 @@ def by_tpe(score: Callable[[np.ndarray], float], in_use: Any, args: Args) -> Non
     sampler = optuna.samplers.TPESampler(seed=args.seed, multivariate=True, n_startup_trials=args.population)
     study = optuna.create_study(direction="maximize", sampler=sampler)
     study.enqueue_trial({name: float(np.log10(getattr(in_use, name))) for name in names})
-    for _ in range(args.candidates):
-        trial = study.ask()
-        study.tell(trial, score(np.array([trial.suggest_float(name, *search_range(in_use, name)) for name in names])))
+    for first in range(0, args.candidates, BATCH if args.in_batches else 1):
+        last = min(first + (BATCH if args.in_batches else 1), args.candidates)
+        trials = [study.ask() for _ in range(first, last)]
+        batch = [
+            np.array([trial.suggest_float(name, *search_range(in_use, name)) for name in names]) for trial in trials
+        ]
+        for trial, value in zip(trials, score(batch)):
+            study.tell(trial, value)
 
 
 def import_optuna() -> Any:

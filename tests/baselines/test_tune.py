@@ -143,3 +143,17 @@ def test_weights_are_stored_for_one_plant_only(tmp_path, monkeypatch):
     monkeypatch.setattr("heli_gym.baselines.control.weights.TUNED", tmp_path)
     tune.main(tune.Args(plants=("rigid",), store=True, reference="climb-7.5", draws=2, candidates=8, population=8))
     assert vars(stored_weights("feedforward+tvlqr", "rigid")).keys() == vars(TVLQR).keys()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("method", ["evolution", "tpe"])
+def test_any_number_of_processes_finds_the_same_weights(method, tmp_path):
+    if method == "tpe":
+        pytest.importorskip("optuna")
+    small = {"policy": "lqi", "reference": "climb-7.5", "draws": 2, "candidates": 16, "population": 8}
+    found = []
+    for workers in (2, 3):
+        file = tmp_path / f"{workers}.json"
+        tune.main(tune.Args(**small, method=method, workers=workers, study=file))
+        found.append(json.loads(file.read_text())["candidates"])
+    assert found[0] == found[1]
