@@ -154,7 +154,7 @@ def constrained_maneuver(rng: np.random.Generator, rig: Rig) -> Maneuver:
             return replace(maneuver, duration=6.0 * easy_duration(maneuver))
 
 
-def constraints(args: Args, console: Console) -> None:
+def constraints(args: Args, console: Console, engine: Engine) -> None:
     """Shortest durations of maneuvers with path constraints, ends in motion and lead, of three rigs."""
     rng, rows = np.random.default_rng(args.seed + 2), list[dict[str, Any]]()
     for k in track(range(args.fastest), "constraints", console=console):
@@ -185,7 +185,7 @@ def constraints(args: Args, console: Console) -> None:
     )
 
 
-def objectives(args: Args, console: Console) -> None:
+def objectives(args: Args, console: Console, engine: Engine) -> None:
     """Flights of the paper's controller along plans for each objective, on `lab` and `fleet`."""
     rows: list[dict[str, Any]] = []
     for duration in OBJECTIVE_DURATIONS:
@@ -198,7 +198,7 @@ def objectives(args: Args, console: Console) -> None:
     console.print(as_table(rows))
 
 
-def solvers(args: Args, console: Console) -> None:
+def solvers(args: Args, console: Console, engine: Engine) -> None:
     """Least effort and the paper's (38) by other solvers: time, effort, reserve, and largest violation in between."""
     maneuver = Maneuver(duration=LEISURE, rig=find_rig(args.rig))
     candidates: dict[str, Callable[[], Trajectory | None]] = {
