@@ -108,7 +108,7 @@ def tables(rows: Sequence[dict[str, str]]) -> str:
     """Markdown of all tables."""
     parts = []
     conditions = list(dict.fromkeys((row["reference"], row["plant"]) for row in rows))
-    order = ("nominal", "lab", "lab+outside", "rigid", "rigid+outside", "fleet", "fleet+outside")
+    order = ("nominal", "nominal+outside", "lab", "lab+outside", "rigid", "rigid+outside", "fleet", "fleet+outside")
     main = sorted((c for c in conditions if c[0] == MANEUVER), key=lambda c: order.index(c[1]))
     for condition in main:
         own = [row for row in rows if (row["reference"], row["plant"]) == condition]
