@@ -137,7 +137,8 @@ def main_table(rows: Sequence[dict[str, str]]) -> list[str]:
             for name in ANGLES[:2]
         )
         shares = [f"{100 * float(row[name]):.0f} %" for name in ("success", "within_pitch", "within_limits")]
-        better = "" if row["policy"].split("@")[0] == PAPERS else f"{100 * float(row['better_than_papers']):.0f} %"
+        compared = row["policy"].split("@")[0] != PAPERS and row["better_than_papers"] != "nan"
+        better = f"{100 * float(row['better_than_papers']):.0f} %" if compared else ""
         cells = (
             f"`{row['policy']}`",
             row["draws"],
@@ -178,7 +179,11 @@ def maneuver_table(rows: Sequence[dict[str, str]]) -> list[str]:
 
 def costs_table(rows: Sequence[dict[str, str]]) -> list[str]:
     """Lines of the table of what a policy takes: time per step, knowledge, tuning."""
-    own = {row["policy"]: row for row in rows if (row["reference"], row["plant"]) == (MANEUVER, "lab")}
+    own = {
+        row["policy"]: row
+        for row in rows
+        if (row["reference"], row["plant"]) == (MANEUVER, "lab") and row["microseconds"]
+    }
     lines = ["| policy | µs per step | must know | tuned for `lab` by |", "|---|---|---|---|"]
     for policy, row in sorted(own.items(), key=lambda item: float(item[1]["microseconds"])):
         path = STUDIES / f"{policy}.json"
