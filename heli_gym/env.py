@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from numbers import Real
+from os import PathLike
 from pathlib import Path
 from typing import Any, overload
 
@@ -55,11 +56,13 @@ def find_reference(reference: str | Trajectory | Sampler) -> Trajectory | Sample
     if callable(reference):
         _number("reference.duration", getattr(reference, "duration", None), "s", 1e-3, LONGEST)
         return reference
-    path = Path(reference) if str(reference).endswith(".npz") else REFERENCES / f"{reference}.npz"
-    try:
-        exists = path.is_file()
-    except OSError:  # the name is no valid file name
-        exists = False
+    exists = isinstance(reference, str | PathLike)
+    if exists:
+        path = Path(reference) if str(reference).endswith(".npz") else REFERENCES / f"{reference}.npz"
+        try:
+            exists = path.is_file()
+        except (OSError, ValueError):  # the name is no valid file name
+            exists = False
     if not exists:
         names = ", ".join(sorted(repr(known.stem) for known in REFERENCES.glob("*.npz")))
         raise ValueError(

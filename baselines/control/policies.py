@@ -7,6 +7,7 @@ one line to `POLICIES`; `heli-evaluate` and the tests of all policies then inclu
 import math
 from collections.abc import Callable
 from functools import partial
+from os import PathLike
 from typing import Any
 
 from heli_gym.baselines.control.cascade import flatness, pd_cascade
@@ -99,6 +100,8 @@ def make_policy(
     """
     if not isinstance(reference, Trajectory):
         raise ValueError(f"reference = {shown(reference)}: must be a Trajectory")
+    if not isinstance(name, str | PathLike):
+        raise ValueError(f"name = {shown(name)}: must be one of {', '.join(map(repr, POLICIES))}, or a path")
     shortest, longest = PERIODS
     if not (is_number(control_period) and shortest <= control_period <= longest):
         raise ValueError(

@@ -57,7 +57,9 @@ class ManeuverSampler:
     def __call__(self, rng: np.random.Generator) -> Trajectory:
         """Plan a random transition. Raises RuntimeError if DRAWS transitions have no plan in this duration."""
         for _ in range(DRAWS):
-            maneuver = self.maneuver(rng.uniform(*self.travel), *rng.uniform(*self.elevation, size=2))
+            # numpy refuses the range from 0.0 to -0.0
+            travel, elevation = ([end + 0.0 for end in ends] for ends in (self.travel, self.elevation))
+            maneuver = self.maneuver(rng.uniform(*travel), *rng.uniform(*elevation, size=2))
             trajectory = validated(maneuver, spline.plan_smoothest(maneuver))
             if trajectory is not None:
                 return trajectory

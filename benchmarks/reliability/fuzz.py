@@ -202,11 +202,7 @@ class Draw:
             )
         n = self.rng.choice((1, 2, 3, 8))
         self.names |= {"voltages", "thrusts"}
-        up = (
-            sorted(self.number("voltages", -12, 24, 0.01) if n > 2 else self.rng.uniform(-9, 20) for _ in range(n))
-            if n < 8
-            else list(range(n))
-        )
+        up = sorted(self.rng.uniform(-12, 24) for _ in range(n)) if n < 8 else list(range(n))
         return TableCurve(tuple(up), tuple(0.1 * k for k in range(n)))
 
     def disturbance(self) -> Any:

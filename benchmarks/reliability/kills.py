@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -12,6 +13,8 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
+
+from heli_gym.baselines.control.weights import TUNED
 
 MOMENTS, SHARE = 100, 1.0
 CODE = (
@@ -79,7 +82,7 @@ def start(job: Job, folder: Path, more: str = "") -> subprocess.Popen:
     (folder / "study.toml").write_text(STUDY)
     (folder / "tuned").mkdir(exist_ok=True)
     if not (folder / "tuned" / "lab.json").exists():
-        (folder / "tuned" / "lab.json").write_text('{"feedforward+tvlqr": {}}\n')
+        shutil.copy(TUNED / "lab.json", folder / "tuned")
     return subprocess.Popen(
         [sys.executable, "-c", CODE, job.program, str(folder), *job.arguments.split(), *more.split()],
         cwd=folder,

@@ -55,6 +55,8 @@ CALLS = [
     ("control_period", lambda v: make_policy("lqi", REFERENCE, v)),
     ("voltage_limits", lambda v: make_policy("lqi", REFERENCE, voltage_limits=(0, v))),
     ("reference", lambda v: make_policy("lqi", v)),
+    ("name", lambda v: make_policy(v, REFERENCE)),
+    ("reference", lambda v: Heli3DOFEnv(reference=v)),
     ("maneuver", lambda v: plan(v)),
     ("reserve", lambda v: plan_fastest(Maneuver(), reserve=v)),
     ("method", lambda v: plan(Maneuver(), v)),
@@ -99,6 +101,11 @@ def test_numbers_are_finite_reals_within_the_range_of_a_float():
     assert not any(map(is_number, (True, "1", None, 1j, math.nan, math.inf, 10**400, np.array([1.0]), np.bool_(True))))
     assert real_array([10**400, 1.0]) is None
     np.testing.assert_array_equal(real_array([1, 2]), [1.0, 2.0])
+
+
+def test_a_sampler_whose_range_ends_at_negative_zero_draws():
+    flight = ManeuverSampler(12.0, (0.0, -0.0), (-0.05, 0.05))(np.random.default_rng(0))
+    assert flight.x[0, -1] == 0.0
 
 
 def test_a_refused_value_is_shown_in_part():
