@@ -160,10 +160,11 @@ def hover_thrust_sum(elevation: float, parameters: HelicopterParameters) -> floa
 
 def validate_floor(floor: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return the floor as tuples of floats. Raises ValueError unless its travel increases."""
+    nothing = np.zeros(0)
     try:
-        travel, elevation = map(real_array, floor)
+        travel, elevation = (nothing if (row := real_array(given)) is None else row for given in floor)
     except (TypeError, ValueError):
-        travel = elevation = np.zeros(0)
+        travel = elevation = nothing
     fits = travel.ndim == 1 and travel.shape == elevation.shape
     if not fits or not (len(travel) > 1 and np.isfinite([travel, elevation]).all() and (np.diff(travel) > 0.0).all()):
         raise ValueError(
