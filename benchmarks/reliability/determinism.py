@@ -31,7 +31,7 @@ def run_alone(**environment: str) -> dict:
 
 def weights_of_training(folder: Path, name: str) -> str:
     """Digest of the network after a short training in a new process."""
-    arguments = ["--steps", "30000", "--chunk", "1500", "--envs", "8", "--cell", "8", "--validation", "4"]
+    arguments = ["--steps", "38400", "--chunk", "100", "--cell", "8", "--validation", "4"]
     code = "import sys; sys.argv = ['heli-train', *sys.argv[1:]]; from heli_gym import cli; cli.run('heli-train')"
     out = folder / name
     subprocess.run(
