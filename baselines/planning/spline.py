@@ -73,6 +73,7 @@ class Bounds(NamedTuple):
     voltages: np.ndarray | None = None  # (2, N) of the rotors along the previous plan, for slew rate and lead
     vias: np.ndarray | None = None  # (V, 2) shifts of the via points in rad, by their miss in the previous plan
     iterations: int | None = None  # largest number
+    above_floor: np.ndarray | None = None  # (S + 1,) in rad, by which a floor is raised at the knots
 
 
 def guess(maneuver: Maneuver, duration: float, segments: int) -> Spline:
@@ -382,7 +383,10 @@ def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[
             rate = within("travel_rate")
             blocks.append(("travel_rate", kernel.TRAVEL_RATE, knots, -rate, rate))
         if path.floor is not None:
-            blocks.append(("floor", kernel.FLOOR, knots, -2.0 * STEEPEST, -bounds.tighter.get("floor", 0.0)))
+            above = np.zeros(segments + 1) if bounds.above_floor is None else bounds.above_floor
+            blocks.append(
+                ("floor", kernel.FLOOR, knots, -2.0 * STEEPEST, -bounds.tighter.get("floor", 0.0) - above[knots])
+            )
         if path.slew is not None:
             slopes = maneuver.rig.thrust_slope(voltages)
             most = within("slew") * np.minimum(slopes[:, 1:], slopes[:, :-1]).T.ravel()
@@ -426,8 +430,9 @@ def solve_within_limits(
     if start.by_path:
         voltages = maneuver.rig.voltage(np.clip(sample(maneuver, start)[2], *limits))
     lag, linearised = path_limits(maneuver).lead, 0
+    above_floor = np.zeros(len(start.coefficients) - REST + 1)
     for _ in range(TIGHTENINGS):
-        bounds = Bounds((low, high), on_the_way, tighter, voltages, vias, iterations)
+        bounds = Bounds((low, high), on_the_way, tighter, voltages, vias, iterations, above_floor)
         spline = optimum(maneuver, start, bounds, barrier)
         if spline is None and over:
             spline = solve_by_homotopy(maneuver, optimum, start, bounds._replace(tighter=over))
@@ -451,12 +456,23 @@ def solve_within_limits(
             tighter = tighter | {
                 name: tighter.get(name, 0.0) + 1.2 * excess
                 for name, excess in over.items()
-                if name not in LINEARISED or linearised > LINEARISATIONS
+                if name != "floor" and (name not in LINEARISED or linearised > LINEARISATIONS)
             }
+            if "floor" in over:
+                above_floor = above_floor + 1.2 * floor_excess(maneuver, x, len(above_floor))
         on_the_way = on_the_way or bool(over)
         vias = vias - missed
         start, barrier = spline, LUKEWARM if over else WARM
     return None
+
+
+def floor_excess(maneuver: Maneuver, x: np.ndarray, knots: int) -> np.ndarray:
+    """Largest excess (knots,) in rad over the floor around each knot, at least zero, of states x (6, K)."""
+    excess = np.maximum(x[2] - np.interp(x[0], *np.array(maneuver.floor)), 0.0)
+    segment = np.minimum(np.arange(len(excess)) * (knots - 1) // (len(excess) - 1), knots - 2)
+    most = np.zeros(knots - 1)
+    np.maximum.at(most, segment, excess)
+    return np.maximum(np.append(most, 0.0), np.append(0.0, most))
 
 
 def solve_by_homotopy(maneuver: Maneuver, optimum, start: Spline, bounds: Bounds) -> Spline | None:

@@ -214,3 +214,12 @@ def test_an_objective_is_named_where_it_is_unknown_or_of_another_method():
         plan(Maneuver(), objective="fuel")
     with pytest.raises(ValueError, match="objective = 'effort': must go with"):
         plan(Maneuver(), "flat", objective="effort")
+
+
+@pytest.mark.parametrize("objective", [None, "effort"])
+def test_a_start_and_a_goal_on_the_floor_are_planned(objective):
+    travel = np.linspace(0.0, math.pi, 201)
+    bump = -0.2 * np.exp(-20.0 * (travel - 2.0 * math.pi / 3.0) ** 2)  # the course's, level at both ends
+    requested = Maneuver(goal=(math.pi, 0.0), duration=15.0, rig="ntnu", floor=(travel, bump))
+    trajectory = plan(requested, objective=objective)
+    assert excesses(requested, trajectory.t, trajectory.x, trajectory.u)["floor"] < 1e-6
