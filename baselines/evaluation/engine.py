@@ -250,6 +250,7 @@ def init_worker() -> None:
 def import_ray() -> Any:
     """Module `ray`, which sends no usage statistics. Raises ValueError if it is not installed."""
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
+    os.environ.setdefault("RAY_worker_niceness", "0")  # like other processes; Ray's own default is 15
     try:
         import ray
     except ImportError as error:
