@@ -214,7 +214,9 @@ class Rig:
             self._set(name, float(value))
 
     def _check_sensors(self) -> None:
-        self._triple("encoder_counts", "positive whole numbers", lambda value: value >= 1 and value == int(value), int)
+        self._triple(
+            "encoder_counts", "positive whole numbers", lambda value: 1 <= value <= 2**31 and value == int(value), int
+        )
         self._triple("sensor_signs", "three of 1 and -1", lambda value: value in (1, -1), int)
         self._triple("sensor_zeros", "three numbers in rad")
         value = self.sample_time
