@@ -184,10 +184,11 @@ def costs_table(rows: Sequence[dict[str, str]]) -> list[str]:
         for row in rows
         if (row["reference"], row["plant"]) == (MANEUVER, "lab") and row["microseconds"]
     }
-    lines = ["| policy | µs per step | must know | tuned for `lab` by |", "|---|---|---|---|"]
+    lines = ["| policy | µs per step | must know | weights for `lab` |", "|---|---|---|---|"]
     for policy, row in sorted(own.items(), key=lambda item: float(item[1]["microseconds"])):
         path = STUDIES / f"{policy}.json"
-        tuned = "600 candidates of differential evolution" if "@" in policy else "nothing"
+        tuned = "600 candidates of differential evolution" if "@" in policy else "default weights"
+        tuned = "training" if policy.startswith("residual") else tuned
         if path.is_file():
             study = json.loads(path.read_text(encoding="utf-8"))
             tuned = f"{len(study['candidates'])} candidates of TPE on {study['draws']} draws, {study['seconds']:.0f} s"
