@@ -317,11 +317,11 @@ def test_each_policy_has_one_label_and_colours_that_are_shown_together_differ():
 
 def test_on_the_fleet_the_maneuver_is_planned_for_its_rig_and_networks_for_another_are_left_out():
     condition = Condition("fleet", "climb-7.5")
-    wanted = batches(("zero", "residual"), [condition], SETTINGS)
+    wanted = batches(("zero", "residual-rigid"), [condition], SETTINGS)
     kept, left_out = leaderboard.flyable(wanted, SETTINGS)
     assert {batch.policy for batch in kept} == {"zero"}
     [reason] = left_out
-    assert reason.startswith("residual is left out on fleet: ")
+    assert reason.startswith("residual-rigid is left out on fleet: ")
     assert leaderboard.env_settings(condition, SETTINGS)["reference"].rig.name == "fleet"
 
 
@@ -369,7 +369,8 @@ def test_a_policy_that_flies_one_helicopter_at_a_time_is_stored_flight_by_flight
     wanted, _ = leaderboard.flyable(batches(("lqi", "my_module:make"), [CONDITION], SETTINGS), SETTINGS)
     assert [batch.episodes for batch in wanted if batch.policy == "lqi"] == [2, 2, 2]
     assert [batch.episodes for batch in wanted if batch.policy == "my_module:make"] == [1] * 6
-    small = {**SMALL, "policies": ("my_module:make", "open-loop"), "outside": False, "pages": False, "workers": 1}
+    small = {**SMALL, "policies": ("my_module:make", "open-loop"), "against": "open-loop"}
+    small |= {"outside": False, "pages": False, "workers": 1}
     command.main(Args(**{**small, "out": tmp_path / "out"}))
     rows = read(tmp_path / "out")
     mine, planned = ([row for row in rows if row["policy"] == name] for name in ("my_module:make", "open-loop"))
