@@ -49,7 +49,7 @@ from heli_gym.env import reference_for
 from heli_gym.parameters import Limits
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.rig import PAPER, find_rig, same_dynamics
-from heli_gym.storage import atomic_write, check_folder, read_json_object
+from heli_gym.storage import atomic_write, check_folder, read_json_object, try_lock
 from heli_gym.task import control_steps
 from heli_gym.train import apg
 from heli_gym.train.apg import APG
@@ -423,13 +423,13 @@ def train(
 ) -> Path:
     """Train, or continue, and return the folder of the run; `stop_after` chunks it stops like an interrupt.
 
-    Calls `after_chunk` with the number of chunks so far, after each checkpoint.
+    Calls `after_chunk` with the number of chunks so far, after each checkpoint. Raises ValueError for wrong settings,
+    and while another process trains in this folder.
     """
     args = with_defaults(args)
     check(args)
     folder = run_folder(args)
-    name = "/".join(folder.parts[-3:])
-    begun = check_begun(args, folder)
+    check_begun(args, folder)
     torch.set_num_threads(1)
     helicopters = make_helicopters(args)
     references = validation_references(args)
@@ -444,8 +444,28 @@ def train(
         for reference in references
     ]
     agent = make_agent(args, helicopters)
-    checkpoint = last_checkpoint(folder / "checkpoints") if begun else None
     (folder / "checkpoints").mkdir(parents=True, exist_ok=True)  # after all checks: an error leaves no folder
+    with open(folder / ".lock", "ab") as lock:
+        if not try_lock(lock):
+            raise ValueError(f"out: another heli-train is at work in {folder}")
+        train_in(folder, args, agent, helicopters, validation_envs, console, stop_after, after_chunk)
+    return folder
+
+
+def train_in(
+    folder: Path,
+    args: CompleteArgs,
+    agent: APG | BaseAlgorithm,
+    helicopters: Any,
+    validation_envs: list[Heli3DOFVectorEnv],
+    console: Console,
+    stop_after: int | None,
+    after_chunk: Callable[[int], None] | None,
+) -> None:
+    """Train, or continue, in a locked folder."""
+    name = "/".join(folder.parts[-3:])
+    begun = check_begun(args, folder)  # another process may have begun, or gone on, before the lock was taken
+    checkpoint = last_checkpoint(folder / "checkpoints") if begun else None
     agent.set_logger(configure(str(folder), ["tensorboard"]))
 
     history: list[dict[str, Any]] = []
@@ -483,7 +503,6 @@ def train(
                 advance=1,
                 description=f"{name}: return {row['episode_return']:.2f} s, RMS {travel:.2f}°, {elevation:.2f}°",
             )
-    return folder
 
 
 def learn(args: CompleteArgs, agent: APG | BaseAlgorithm, helicopters: Any, number: int, chunks: int) -> None:

@@ -171,6 +171,22 @@ def test_a_run_is_never_overwritten_and_goes_on_with_its_own_settings_only(tmp_p
     assert (folder / "history.json").read_text() == before
 
 
+def test_a_second_process_is_kept_out_of_the_folder_of_a_run_at_work(tmp_path):
+    args, console = replace(SMALL, out=tmp_path, steps=2 * 32 * 8), Console(quiet=True)
+    refused = []
+
+    def disturb(number):
+        before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+        with pytest.raises(ValueError, match=r"out: another heli-train is at work in .*lab"):
+            train(replace(args, resume=True), console)
+        assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
+        refused.append(number)
+
+    folder = train(args, console, after_chunk=disturb)
+    assert refused == [1, 2]
+    assert train(replace(args, resume=True), console) == folder  # the end of the run freed it
+
+
 def test_a_network_that_crashes_early_is_never_the_best():
     row = {"success": 0.0, "rms_error_deg": [1.0, 1.0, 1.0], "flown": 2.0, "cost": 0.0}
     poor = {"success": 0.0, "rms_error_deg": [40.0, 10.0, 9.0], "flown": 5.0, "cost": 5.0}
