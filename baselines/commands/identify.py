@@ -16,7 +16,7 @@ from rich.table import Table
 
 from heli_gym.baselines.evaluation import log_figures
 from heli_gym.baselines.evaluation.figures import DPI
-from heli_gym.baselines.identification.estimation import EFFECTS, Identification, identify
+from heli_gym.baselines.identification.estimation import Identification, ablation_cases, identify
 from heli_gym.baselines.identification.experiment import LONGEST, design
 from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog, find_log
 from heli_gym.baselines.identification.prediction import (
@@ -95,12 +95,8 @@ def log_table(validations: Sequence[Validation]) -> Table:
 def ablation_table(logs: list[FlightLog], args: Args, progress: Any) -> tuple[Table, dict[str, Any]]:
     """Errors at 1 s of models with effects added one by one, and of the full model without each effect."""
     table = Table("effects", *ANGLES, title="RMS error in degrees at 1 s, windows that were not fitted")
-    names, found = list(EFFECTS), {}
-    cases: dict[str, list[str]] = {"(2) and (3) alone": []} | {
-        f"+ {name}": names[: i + 1] for i, name in enumerate(names)
-    }
-    cases |= {f"all but {name}": [other for other in names if other != name] for name in names}
-    for title, effects in cases.items():
+    found = {}
+    for title, effects in ablation_cases().items():
         progress(f"ablation: {title}")
         model = identify(logs, args.rig, args.fit_share, effects)
         values = pooled(validate(logs, model, tune(logs, model), (1.0,), compare=False), 1.0, "model")

@@ -68,6 +68,14 @@ STILL = 2e-3  # rad and V, range below which a signal does not move
 COEFFICIENTS = ("a1", "a2", "a3", "b1", "b2", "b3")
 
 
+def ablation_cases() -> dict[str, list[str]]:
+    """Lists of effects by title: none, one more in each case up to all, and all but one."""
+    names = list(EFFECTS)
+    cases: dict[str, list[str]] = {"(2) and (3) alone": []}
+    cases |= {f"+ {name}": names[: i + 1] for i, name in enumerate(names)}
+    return cases | {f"all but {name}": [other for other in names if other != name] for name in names}
+
+
 @dataclass(frozen=True, eq=False)
 class Identification:
     """Identified rig with uncertainties.
@@ -173,6 +181,7 @@ def identify(
     effects: Sequence[str] = tuple(EFFECTS),
     prior: MeasuredParameters | None = None,
     progress: Callable[[str], None] = lambda text: None,
+    spread: MeasuredParameters = SPREAD,
 ) -> Identification:
     """Estimate the parameters of a rig from logs of its flights.
 
@@ -183,6 +192,7 @@ def identify(
         effects: names from EFFECTS of effects beyond (2) and (3).
         prior: centre of the prior, by default the middle of identified rigs.
         progress: function that is called with lines of text.
+        spread: standard deviations of the prior.
 
     Raises:
         ValueError: for an empty list, different sample times, a share outside (0, 1], an unknown effect, logs
@@ -200,7 +210,7 @@ def identify(
     for log in logs:
         if abs(log.sample_time - dt) > 1e-6 * dt:
             raise ValueError(f"logs: must have one sample time, but have {dt:g} s and {log.sample_time:g} s")
-    problem = Shooting(logs, fit_share)
+    problem = Shooting(logs, fit_share, spread)
     check_signs(logs)
     start = find_rig(start)
     centre = np.array(MeasuredParameters() if prior is None else prior, dtype=float)
@@ -221,8 +231,8 @@ def identify(
             free.append("voltage_limit")
             theta[limited] = centre[limited] = limit
     theta, covariance = problem.fit(theta, centre, free, progress=progress)
-    spread = np.array([SPREAD[NAMES.index(name)] for name in free])
-    known = np.sqrt(np.diag(covariance)) < UNDETERMINED * spread
+    spreads = np.array([getattr(spread, name) for name in free])
+    known = np.sqrt(np.diag(covariance)) < UNDETERMINED * spreads
     undetermined = [name for name, is_known in zip(free, known) if not is_known]
     if undetermined:
         progress(f"the data do not determine {', '.join(undetermined)}: they stay at the prior")
@@ -327,8 +337,10 @@ def best_limit(
 class Shooting:
     """Multiple-shooting problem: windows of logs, and their unknowns."""
 
-    def __init__(self, logs: Sequence[FlightLog], share: float, window: float = WINDOW) -> None:
-        self.logs, self.dt = list(logs), logs[0].sample_time
+    def __init__(
+        self, logs: Sequence[FlightLog], share: float, prior_spread: MeasuredParameters = SPREAD, window: float = WINDOW
+    ) -> None:
+        self.logs, self.dt, self.prior_spread = list(logs), logs[0].sample_time, np.array(prior_spread)
         self.n = round(window / self.dt)
         self.starts = [window_starts(log, share, self.n) for log in logs]
         if sum(map(len, self.starts)) < 3:
@@ -444,7 +456,7 @@ class Shooting:
         """
         chosen = np.array([NAMES.index(name) for name in free])
         low, high = np.array(LOW)[chosen], np.array(HIGH)[chosen]
-        prior, theta, damping, variance = np.array(SPREAD)[chosen], theta.copy(), 1e-3, np.zeros(3)
+        prior, theta, damping, variance = self.prior_spread[chosen], theta.copy(), 1e-3, np.zeros(3)
 
         def distance(values: np.ndarray) -> np.ndarray:
             return (values[chosen] - centre[chosen]) / prior

@@ -8,7 +8,7 @@ import pytest
 
 from heli_gym import HelicopterParameters
 from heli_gym.baselines.commands import identify as command
-from heli_gym.baselines.identification.estimation import EFFECTS, identify
+from heli_gym.baselines.identification.estimation import EFFECTS, SPREAD, ablation_cases, identify
 from heli_gym.baselines.identification.flight_log import FlightLog
 from heli_gym.baselines.identification.measured_model import MeasuredParameters
 from heli_gym.baselines.identification.prediction import FilteredLog, Settings, horizon_starts, pooled, validate
@@ -194,6 +194,21 @@ def test_an_effect_that_is_left_out_has_no_influence(known):
     found = identify([known[2]], effects=[name for name in EFFECTS if name != "gyro"])
     assert found.parameters.gyro == 0.0
     assert "gyro" not in found.free
+
+
+def test_a_parameter_whose_prior_has_no_spread_stays_there(known):
+    found = identify(
+        [known[2]], prior=MeasuredParameters(gyro=0.3), spread=SPREAD._replace(gyro=1e-6), effects=["lag", "gyro"]
+    )
+    assert found.parameters.gyro == 0.3
+    assert found.undetermined == ("gyro",)
+
+
+def test_each_effect_is_left_out_once_and_added_once():
+    cases = ablation_cases()
+    added = [effects for title, effects in cases.items() if title.startswith("+")]
+    assert [set(after) - set(before) for before, after in zip([[], *added], added)] == [{name} for name in EFFECTS]
+    assert [set(EFFECTS) - set(cases[f"all but {name}"]) for name in EFFECTS] == [{name} for name in EFFECTS]
 
 
 def test_the_command_writes_rig_report_and_pictures(known, tmp_path, capsys):
