@@ -58,7 +58,8 @@ build/types:
 ANY := out/train/runs/lab/$(METHOD)@lab-any-maneuver/0/best.json
 
 reproduce: $(VENV)/dev
-	@echo "ten searches for weights, 25 training runs, four tables: some two hours of one idle core; may be interrupted"
+	@echo "ten searches for weights, 25 training runs, four tables; may be interrupted"
+	@echo "some two hours of one idle core, estimated from measured parts: no machine has run it whole in one go"
 	for plant in lab rigid; do \
 	  for policy in $(TUNED); do \
 	    $(BIN)/heli-tune --policy $$policy --plants $$plant --objective tracking \
