@@ -48,6 +48,7 @@ LEAST_STRETCH = 0.05  # smallest step of lengthening, as a share of the interval
 APPROACH = (0.8, 0.6, 0.4, 0.2, 0.0)  # decreasing shares of the initial excess over a constraint
 TIGHTENINGS = 8  # largest number of times that thrust bounds are tightened for an excess between collocation points
 LINEARISED, LINEARISATIONS = ("slew", "lead"), 3  # constraints linear about the last plan; plans until tightening
+LEAST_SHARE = 0.3  # of a limit on a rate, left by tightening
 VIA_ACCURACY = 1e-4  # rad, largest miss of a via point; the integral of the travel to it is approximate
 
 
@@ -364,7 +365,8 @@ def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[
         knots = np.arange(segments + 1)
 
     def within(name: str) -> float:
-        return getattr(path, name) - bounds.tighter.get(name, 0.0)
+        limit = getattr(path, name)
+        return max(limit - bounds.tighter.get(name, 0.0), LEAST_SHARE * limit)
 
     voltages = maneuver.rig.hover_voltage(maneuver.start[1])[:, None] * np.ones(3 * segments + 1)
     if bounds.voltages is not None:
@@ -440,7 +442,8 @@ def solve_within_limits(
             return None
         t, x, f = sample(maneuver, spline)
         below, above = limits[0] - f.min(), f.max() - limits[1]
-        u = voltages = maneuver.rig.voltage(np.clip(f, *limits))
+        u = maneuver.rig.voltage(np.clip(f, *limits))
+        voltages = u if voltages is None or lag is not None else between(voltages, u)
         if lag is not None:
             u = voltages + lag * np.gradient(voltages, t, axis=1)
         over = {name: excess for name, excess in excesses(maneuver, t, x, u).items() if excess > ROUNDED}
@@ -464,6 +467,12 @@ def solve_within_limits(
         vias = vias - missed
         start, barrier = spline, LUKEWARM if over else WARM
     return None
+
+
+def between(before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """Mean of the voltages of two plans (2, K) at the same shares of their durations: successive plans swing less."""
+    share = np.linspace(0.0, 1.0, after.shape[1])
+    return 0.5 * (after + np.stack([np.interp(share, np.linspace(0.0, 1.0, before.shape[1]), row) for row in before]))
 
 
 def floor_excess(maneuver: Maneuver, x: np.ndarray, knots: int) -> np.ndarray:
@@ -597,7 +606,7 @@ def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline,
         start, barrier, found = guess(maneuver, duration, SHORTEST_SEGMENTS[0]), COLD, None
         for segments in SHORTEST_SEGMENTS[: 2 if is_dense else 3]:
             check()
-            if len(start.coefficients) - REST < segments:
+            while len(start.coefficients) - REST < segments:  # twice where the number before gave no plan
                 start = refined(start)
             if found is None and is_fast_limited:
                 found = solve_within_limits(maneuver, fastest, start, barrier, iterations, on_the_way=True)
