@@ -1,6 +1,7 @@
 """What `heli-identify` makes of measured flights: the tables of docs/identification.md.
 
-    python benchmarks/identification.py rigs --logs ../shared/logs --out out/rigs.csv
+    python benchmarks/identification.py rigs --logs ../shared/logs
+    python benchmarks/identification.py without-rig whole drift --out out     # fits each rig once for all of them
 
 Parts:
     rigs         each rig from the first 60 % of all of its logs, judged on the rest
@@ -8,11 +9,12 @@ Parts:
     without-rig  like rigs, with a prior made of the other rigs, and a search for the filter's settings from one value
     whole        fitted to the whole of each log and judged on the same rest, in-sample, beside rigs; the model alone
     ablation     effects added one by one, and all but one: degrees of the model alone
+    parameters   of each rig from the first 60 % of its logs, with standard errors
     drift        thrust lost in 20 s: slope of the filter's lasting acceleration of elevation, over a2
     faults       one log with faults: ratios, or the refusal
 
 Errors are RMS at 1 s, as a share of constant rate's where no unit is given. A log is named RIG-NUMBER.csv. The prior
-without a rig has the median of the values that the other rigs' logs determine, and 1.5 times their standard deviation,
+of without-rig has the median of the values that the other rigs' logs determine, and 1.5 times their standard deviation,
 half of their range, or 0.3 of the default spread, whichever is largest; the default prior served to find those values.
 """
 
@@ -22,7 +24,7 @@ import io
 import tempfile
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -82,9 +84,16 @@ def rows_of(rig: str, validations: Iterable[Validation]) -> Iterator[Row]:
                 yield row
 
 
-def judge(rig: str, logs: list[FlightLog], model: Identification, start: Settings = Settings()) -> list[Row]:
-    """Rows of a rig, with the filter's settings from the fitted share."""
-    return list(rows_of(rig, validate(logs, model, tune(logs, model, start), (HORIZON,))))
+@cache
+def fit(*logs: FlightLog) -> tuple[Identification, Settings]:
+    """Rig and the filter's settings from the first 60 % of its logs."""
+    model = identify(logs)
+    return model, tune(logs, model)
+
+
+def judge(rig: str, logs: list[FlightLog], model: Identification, settings: Settings) -> list[Row]:
+    """Rows of a rig."""
+    return list(rows_of(rig, validate(logs, model, settings, (HORIZON,))))
 
 
 def summary(rows: list[Row], predictor: str, other: str = "black box") -> str:
@@ -118,53 +127,69 @@ def prior_without(rig: str, models: dict[str, Identification]) -> tuple[Measured
     return MeasuredParameters(**centre), MeasuredParameters(**spread)
 
 
-def run_rigs(rigs: Rigs, only: str) -> Iterator[Row]:
+def run_rigs(rigs: Rigs, only: list[str]) -> Iterator[Row]:
     """Each rig from all of its logs."""
     for rig, logs in rigs.items():
-        yield from judge(rig, logs, identify(logs))
+        yield from judge(rig, logs, *fit(*logs))
 
 
-def run_logs(rigs: Rigs, only: str) -> Iterator[Row]:
+def run_logs(rigs: Rigs, only: list[str]) -> Iterator[Row]:
     """Each log alone."""
     for rig, logs in rigs.items():
         for log in logs:
-            yield from judge(rig, [log], identify([log]))
+            yield from judge(rig, [log], *fit(log))
 
 
-def run_without_rig(rigs: Rigs, only: str) -> Iterator[Row]:
+def run_without_rig(rigs: Rigs, only: list[str]) -> Iterator[Row]:
     """Each rig with a prior of the others."""
-    models = {rig: identify(logs) for rig, logs in rigs.items()}
+    models = {rig: fit(*logs)[0] for rig, logs in rigs.items()}
     for rig, logs in rigs.items():
         centre, spread = prior_without(rig, models)
-        yield from judge(rig, logs, identify(logs, prior=centre, spread=spread), ONE_START)
+        model = identify(logs, prior=centre, spread=spread)
+        yield from judge(rig, logs, model, tune(logs, model, ONE_START))
 
 
-def run_whole(rigs: Rigs, only: str) -> Iterator[Row]:
+def run_whole(rigs: Rigs, only: list[str]) -> Iterator[Row]:
     """Each rig from the whole of its logs, beside its first 60 %: the model alone."""
     for rig, logs in rigs.items():
-        part, whole = identify(logs), identify(logs, fit_share=1.0)
+        part, whole = fit(*logs), identify(logs, fit_share=1.0)
         settings = tune(logs, whole)
-        whole = replace(whole, fit_share=part.fit_share)
-        both = (judge(rig, logs, part), rows_of(rig, validate(logs, whole, settings, (HORIZON,), compare=False)))
+        whole = replace(whole, fit_share=part[0].fit_share)
+        both = (judge(rig, logs, *part), rows_of(rig, validate(logs, whole, settings, (HORIZON,), compare=False)))
         for row, other in zip(*both):
             yield row | {"whole": other["model"]}
 
 
-def run_ablation(rigs: Rigs, only: str) -> Iterator[Row]:
-    """Errors of the model alone in degrees over all windows of each rig, by effects; cases with `only` in the title."""
+def is_chosen(title: str, only: list[str]) -> bool:
+    """Whether the title has one of the texts, or there are none."""
+    return not only or any(text in title for text in only)
+
+
+def run_ablation(rigs: Rigs, only: list[str]) -> Iterator[Row]:
+    """Errors of the model alone in degrees over all windows of each rig, by effects; chosen cases."""
     for rig, logs in rigs.items():
         for title, effects in ablation_cases().items():
-            if only in title:
+            if is_chosen(title, only):
                 model = identify(logs, effects=effects)
                 values = pooled(validate(logs, model, tune(logs, model), (HORIZON,), compare=False), HORIZON, "model")
                 yield {"rig": rig, "effects": title} | dict(zip(ANGLES, values))
 
 
-def run_drift(rigs: Rigs, only: str) -> Iterator[Row]:
+def run_parameters(rigs: Rigs, only: list[str]) -> Iterator[Row]:
+    """Parameters of each rig with standard errors, in brackets where they are the prior's."""
+    models = {rig: fit(*logs)[0] for rig, logs in rigs.items()}
+    for name in MeasuredParameters._fields:
+        row: Row = {"parameter": name}
+        for rig, m in models.items():
+            value, error = getattr(m.parameters, name), m.standard_errors.get(name)
+            row[rig] = f"({value:.3g})" if error is None else f"{value:.3g} ± {error:.1g}"
+        yield row
+
+
+def run_drift(rigs: Rigs, only: list[str]) -> Iterator[Row]:
     """Share in percent of the thrust that each log loses in 20 s."""
     for rig, logs in rigs.items():
-        model = identify(logs)
-        settings = tune(logs, model)
+        model, settings = fit(*logs)
         for log in logs:
             filtered = FilteredLog(log, model, settings)
             k = np.arange(filtered.first + round(SETTLE / log.sample_time), len(log))
@@ -254,8 +279,8 @@ def mat_logs(folder: Path, c: Columns) -> Iterator[tuple[str, list[FlightLog]]]:
     yield ".mat, MATLAB 7.3", [FlightLog.load(folder / "new.mat")]
 
 
-def run_faults(rigs: Rigs, only: str) -> Iterator[Row]:
-    """Faulty versions of a log: shares of constant rate's error, or the refusal; those with `only` in the title."""
+def run_faults(rigs: Rigs, only: list[str]) -> Iterator[Row]:
+    """Faulty versions of a log: shares of constant rate's error, or the refusal; chosen ones."""
     log = next(log for logs in rigs.values() for log in logs if log.name == FAULTY)
     arrays = (log.t, *log.angles, *log.voltages)
     c = dict(zip(("t", *ANGLES, "u_front", "u_back"), arrays))
@@ -263,7 +288,8 @@ def run_faults(rigs: Rigs, only: str) -> Iterator[Row]:
     def row(title: str, read: Callable[[], list[FlightLog]], fit_share: float = 0.6) -> Row:
         try:
             logs = read()
-            found = judge(title, logs, identify(logs, fit_share=fit_share))
+            model = identify(logs, fit_share=fit_share)
+            found = judge(title, logs, model, tune(logs, model))
             return {"fault": title} | {one["axis"]: one["model, shrunk"] for one in found[:3]} | {"refused": ""}
         except ValueError as error:
             why = " ".join(str(error).replace(f"{folder}/", "").split())
@@ -275,15 +301,15 @@ def run_faults(rigs: Rigs, only: str) -> Iterator[Row]:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for title, columns in faulty(c).items():
-            if only in title:
+            if is_chosen(title, only):
                 yield row(title, partial(lambda c: [load_columns(c)], columns))
         for share in (0.3, 0.5, 0.9):
-            if only in (title := f"fitted share {share}"):
+            if is_chosen(title := f"fitted share {share}", only):
                 yield row(title, lambda: [log], share)
-        if only in (title := "two sample times"):
+        if is_chosen(title := "two sample times", only):
             yield row(title, lambda: [log, load_columns(even(c, 0.02))])
         for title, logs in mat_logs(folder, c):
-            if only in title:
+            if is_chosen(title, only):
                 yield row(title, partial(list, logs))
 
 
@@ -293,6 +319,7 @@ PARTS = {
     "without-rig": run_without_rig,
     "whole": run_whole,
     "ablation": run_ablation,
+    "parameters": run_parameters,
     "drift": run_drift,
     "faults": run_faults,
 }
@@ -303,30 +330,37 @@ def cell(value: Any) -> str:
     return "" if value is None else f"{value:.2f}" if isinstance(value, float) else str(value)
 
 
+def write(path: Path, rows: list[Row]) -> None:
+    """Write rows as CSV."""
+    text = io.StringIO()
+    writer = csv.DictWriter(text, rows[0])
+    writer.writeheader()
+    writer.writerows(rows)
+    with atomic_write(path) as file:
+        file.write(text.getvalue().encode())
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("part", choices=PARTS)
+    parser.add_argument("parts", nargs="+", choices=PARTS)
     parser.add_argument("--logs", type=Path, default=Path("../shared/logs"), help="folder of the logs")
     parser.add_argument("--rigs", nargs="*", default=(), help="rigs to do, by default all")
-    parser.add_argument("--only", default="", help="part of the titles to do, of ablation and faults")
-    parser.add_argument("--out", type=Path, help=".csv of the rows")
+    parser.add_argument("--only", nargs="*", default=(), help="parts of the titles to do, of ablation and faults")
+    parser.add_argument("--out", type=Path, help="folder for PART.csv with the rows")
     args = parser.parse_args()
-    rows: list[Row] = []
-    for row in PARTS[args.part](load(args.logs, args.rigs), args.only):
-        if not rows:
-            print("| " + " | ".join(row) + " |\n" + "|---" * len(row) + "|")
-        print("| " + " | ".join(map(cell, row.values())) + " |", flush=True)
-        rows.append(row)
-        if args.out:
-            text = io.StringIO()
-            writer = csv.DictWriter(text, rows[0])
-            writer.writeheader()
-            writer.writerows(rows)
-            with atomic_write(args.out) as file:
-                file.write(text.getvalue().encode())
-    if rows and "model" in rows[0]:
-        others = ("whole",) if args.part == "whole" else ()
-        print("", *(summary(rows, name) for name in (*PREDICTORS, *others)), sep="\n")
+    rigs = load(args.logs, args.rigs)
+    for part in args.parts:
+        rows: list[Row] = []
+        for row in PARTS[part](rigs, args.only):
+            rows.append(row)
+            if args.out:
+                write(args.out / f"{part}.csv", rows)
+            if len(rows) == 1:
+                print(f"\n{part}\n\n| {' | '.join(row)} |\n{'|---' * len(row)}|")
+            print(f"| {' | '.join(map(cell, row.values()))} |", flush=True)
+        if rows and "model" in rows[0]:
+            print()
+            print("\n".join(filter(None, (summary(rows, name) for name in (*PREDICTORS, "whole")))), flush=True)
 
 
 if __name__ == "__main__":
