@@ -1,25 +1,27 @@
 """Table of the manual: policies x plants, from the flights of `heli-leaderboard`.
 
-    heli-leaderboard --out out/lab --plants lab --policies adaptive-mpc feedforward+tvlqr@PLANT ...
-    python benchmarks/field.py out/*                  # results/leaderboard.csv, one row per policy, plant and maneuver
+    python benchmarks/field.py --run out/field        # fly FIELD by heli-leaderboard; continues after a kill
+    python benchmarks/field.py out/field/*            # results/leaderboard.csv, one row per policy, plant and maneuver
     python benchmarks/field.py --docs                 # from it, the tables of the manual
 
-Folders may hold different policies and numbers of draws; rows of the same flight count once. Studies in
-results/studies, of `heli-tune --study`, give the seconds of a search.
+Folders may hold different policies and numbers of draws; rows of the same flight count once, and those of the last
+folder stay. Studies in results/studies, of `heli-tune --study`, give the seconds of a search.
 """
 
 import argparse
 import csv
 import io
 import json
+import subprocess
+import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from heli_gym.baselines.evaluation.labels import label_of
-from heli_gym.baselines.evaluation.leaderboard import Condition, Settings, microseconds_per_step
+from heli_gym.baselines.evaluation.leaderboard import Condition, Settings, microseconds_per_step, standings
 from heli_gym.baselines.evaluation.statistics import (
     bootstrapped_means,
     interquartile_mean,
@@ -35,9 +37,81 @@ TABLE, STUDIES = ROOT / "results" / "leaderboard.csv", ROOT / "results" / "studi
 PAGE, CONTROLLERS = ROOT / "docs" / "evaluation.md", ROOT / "docs" / "controllers.md"
 BEGIN, END = "<!-- tables of benchmarks/field.py -->", "<!-- end of the tables -->"
 STUDIES_BEGIN, STUDIES_END = "<!-- studies of benchmarks/field.py -->", "<!-- end of the studies -->"
-PAPERS = "feedforward+tvlqr"
+PAPERS, KALMAN = "feedforward+tvlqr", "kalman-lqr"
 MANEUVER = "travel-360"
+RANKED = 100  # least number of draws for a rank, where any policy has more
+SETTINGS = Settings(0, 1, 1, 0.02, 0.0)
 ANGLES = ("rms_travel_deg", "rms_elevation_deg", "rms_error_deg")
+
+
+class Part(NamedTuple):
+    """Flights of the table that one call of `heli-leaderboard` flies into one folder."""
+
+    draws: int
+    plants: tuple[str, ...]
+    policies: tuple[str, ...]
+    references: tuple[str, ...] = (MANEUVER,)
+
+
+DESIGNED = (
+    "open-loop",
+    *(
+        f"{name}@PLANT"
+        for name in (PAPERS, "lqi", "lag-lqr", "lag-lqi", KALMAN, "l1-adaptive", "gain-scheduled", "flatness")
+    ),
+    "pd-cascade@PLANT",
+    "hover-lqr",
+)
+UNTUNED = tuple(name.removesuffix("@PLANT") for name in DESIGNED)
+PREDICTIVE = ("adaptive-mpc", "nmpc", "nmpc@PLANT", "adaptive-lqr")
+LAB, RIGID, FLEET, NOMINAL = ((plant, f"{plant}+outside") for plant in ("lab", "rigid", "fleet", "nominal"))
+FIELD = {
+    "learned-lab": Part(1000, LAB, ("residual", "residual-any")),
+    "learned-rigid": Part(1000, RIGID, ("residual-rigid",)),
+    "learned-fleet": Part(300, FLEET, ("residual",)),
+    "lab": Part(1000, ("lab",), (*DESIGNED, "adaptive-mpc")),
+    "rigid": Part(1000, ("rigid",), (*DESIGNED, "adaptive-mpc")),
+    "fleet": Part(300, FLEET, (*UNTUNED, "adaptive-mpc")),
+    "lab+outside": Part(1000, ("lab+outside",), (*DESIGNED, "adaptive-mpc")),
+    "rigid+outside": Part(1000, ("rigid+outside",), (*DESIGNED, "adaptive-mpc")),
+    "nominal": Part(20, NOMINAL, (*UNTUNED, "adaptive-mpc", "nmpc", "adaptive-lqr")),
+    "predictive": Part(200, (*LAB, *RIGID), PREDICTIVE[1:]),
+    "safe": Part(200, ("lab", "rigid"), ("feedforward+tvlqr@PLANT+safe", "kalman-lqr@PLANT+safe")),
+    "linear": Part(20, ("lab", "rigid"), ("linear-mpc", "linear-mpc@PLANT")),
+    "maneuvers": Part(
+        100,
+        ("lab",),
+        ("adaptive-mpc", *(f"{name}@PLANT" for name in (PAPERS, KALMAN, "gain-scheduled", "l1-adaptive"))),
+        ("back-60-descend", "return-180", "travel-180", "travel-90-climb"),
+    ),
+}
+
+
+def fly_field(out: Path, parts: Iterable[str], workers: int) -> None:
+    """Fly parts of FIELD, or what is missing of them, into folders in out; each keeps the commits it was flown from."""
+    git = subprocess.run(
+        ["git", "describe", "--always", "--dirty", "--exclude=*"], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    for name in parts:
+        part, folder = FIELD[name], out / name
+        folder.mkdir(parents=True, exist_ok=True)
+        commits = commits_of(folder) | {git.stdout.strip() or "unknown"}
+        with atomic_write(folder / "commits") as file:
+            file.write("\n".join(sorted(commits)).encode())
+        order = f"-m heli_gym.baselines.commands.leaderboard --resume --no-outside --no-pages --episodes {part.draws}"
+        subprocess.run(
+            (
+                *(sys.executable, *order.split(), "--workers", str(workers), "--out", str(folder)),
+                *("--plants", *part.plants, "--policies", *part.policies, "--references", *part.references),
+            ),
+            check=True,
+        )
+
+
+def commits_of(folder: Path) -> set[str]:
+    """Commits that a folder was flown from."""
+    path = folder / "commits"
+    return set(path.read_text().split()) if path.is_file() else set()
 
 
 def flights(folders: Iterable[Path]) -> dict[tuple[str, str, str], dict[int, dict[str, Any]]]:
@@ -47,27 +121,50 @@ def flights(folders: Iterable[Path]) -> dict[tuple[str, str, str], dict[int, dic
         for path in sorted((folder / "flights").glob("*.jsonl")):
             for line in path.read_text(encoding="utf-8").splitlines():
                 row = json.loads(line)
+                row["commits"] = commits_of(folder)
                 found.setdefault((row["reference"], row["plant"], row["policy"]), {})[row["seed"]] = row
     return found
+
+
+def ranks_of(found: dict[tuple[str, str, str], dict[int, dict[str, Any]]]) -> dict[tuple[str, str, str], str]:
+    """Rank of each policy of a plant and maneuver, with its interval, on the draws common to all that have RANKED."""
+    ranked = {}
+    for condition in dict.fromkeys(key[:2] for key in found):
+        own = {key: rows for key, rows in found.items() if key[:2] == condition}
+        most = max(map(len, own.values()))
+        entries = standings(
+            [row for rows in own.values() if len(rows) >= min(RANKED, most) for row in rows.values()], ""
+        )
+        for entry in entries:
+            low, high = entry["rank"]["interval"]
+            ranked[*condition, entry["policy"]] = f"{entry['rank']['value']:.0f} [{low:.0f}, {high:.0f}]"
+    return ranked
 
 
 def aggregate(found: dict[tuple[str, str, str], dict[int, dict[str, Any]]]) -> list[dict[str, Any]]:
     """One row per policy, plant and maneuver."""
     limit = np.degrees(Limits().pitch_max)
     table = []
+    ranked = ranks_of(found)
     for (reference, plant, policy), flown in sorted(found.items()):
-        papers = [
-            rows
-            for (r, p, name), rows in found.items()
-            if (r, p) == (reference, plant) and name.split("@")[0] == PAPERS
-        ]
-        common = sorted(set(flown) & set(papers[0])) if papers else []
+        others = {
+            kind: next(
+                (
+                    rows
+                    for (*c, p), rows in found.items()
+                    if (*c, p.split("+safe")[0].split("@")[0]) == (reference, plant, kind) and "+safe" not in p
+                ),
+                {},
+            )
+            for kind in (PAPERS, KALMAN)
+        }
         crashed = np.array([row["crashed"] for row in flown.values()])
 
         def column(name: str, flown: dict[int, dict[str, Any]] = flown) -> np.ndarray:
             return np.array([row[name] for row in flown.values()], float)
 
         row: dict[str, Any] = {"reference": reference, "plant": plant, "policy": policy, "draws": len(flown)}
+        row["rank"] = ranked.get((reference, plant, policy), "")
         for name in ANGLES:
             values = rank_crashes_last(column(name), crashed)
             row[name] = interquartile_mean(values)
@@ -80,18 +177,24 @@ def aggregate(found: dict[tuple[str, str, str], dict[int, dict[str, Any]]]) -> l
         row["peak_pitch_deg"] = interquartile_mean(column("peak_pitch_deg"))
         row["worst_pitch_deg"] = column("peak_pitch_deg")[~crashed].max() if not crashed.all() else float("nan")
         row["saturated"] = interquartile_mean(column("saturated"))
-        row["better_than_papers"] = (
-            probability_of_improvement(
-                *(np.array([[rows[s]["rms_error_deg"] for s in common]]) for rows in (flown, papers[0])),
-                *(np.array([[rows[s]["crashed"] for s in common]]) for rows in (flown, papers[0])),
-            )
-            if common
-            else float("nan")
-        )
-        settings = Settings(0, 1, 1, 0.02, 0.0)
-        row["microseconds"] = microseconds_per_step(policy, Condition(plant, reference), settings)
+        row["better_than_papers"] = improvement_over(flown, others[PAPERS])
+        row["better_than_kalman"] = improvement_over(flown, others[KALMAN])
+        timed = (reference, plant) == (MANEUVER, "lab")
+        row["microseconds"] = microseconds_per_step(policy, Condition(plant, reference), SETTINGS) if timed else ""
+        row["commits"] = " ".join(sorted(set().union(*(row["commits"] for row in flown.values()))))
         table.append(row)
     return table
+
+
+def improvement_over(flown: dict[int, dict[str, Any]], others: dict[int, dict[str, Any]]) -> float:
+    """Probability of a smaller error than the others' on the draws that both flew; nan if there is none."""
+    common = sorted(set(flown) & set(others))
+    if not common:
+        return float("nan")
+    return probability_of_improvement(
+        *(np.array([[rows[s]["rms_error_deg"] for s in common]]) for rows in (flown, others)),
+        *(np.array([[rows[s]["crashed"] for s in common]]) for rows in (flown, others)),
+    )
 
 
 def write_csv(path: Path, rows: Sequence[dict[str, Any]]) -> None:
@@ -127,9 +230,9 @@ def tables(rows: Sequence[dict[str, str]]) -> str:
 def main_table(rows: Sequence[dict[str, str]]) -> list[str]:
     """Lines of the table of one plant, sorted by rows."""
     lines = [
-        "| policy | draws | travel (deg) | elevation (deg) | cost (s) | crashes | success | within (6) "
-        "| within (6), (7) | largest pitch (deg) | saturated | better than the paper's |",
-        "|---|" + "---|" * 11,
+        "| policy | draws | rank | travel (deg) | elevation (deg) | cost (s) | crashes | success | within (6) "
+        "| within (6), (7) | largest pitch (deg) | saturated | better than the paper's | than `kalman-lqr` |",
+        "|---|" + "---|" * 13,
     ]
     for row in rows:
         travel, elevation = (
@@ -137,11 +240,14 @@ def main_table(rows: Sequence[dict[str, str]]) -> list[str]:
             for name in ANGLES[:2]
         )
         shares = [f"{100 * float(row[name]):.0f} %" for name in ("success", "within_pitch", "within_limits")]
-        compared = row["policy"].split("@")[0] != PAPERS and row["better_than_papers"] != "nan"
-        better = f"{100 * float(row['better_than_papers']):.0f} %" if compared else ""
+        better = [
+            f"{100 * float(row[name]):.0f} %" if row["policy"].split("@")[0] != kind and row[name] != "nan" else ""
+            for name, kind in (("better_than_papers", PAPERS), ("better_than_kalman", KALMAN))
+        ]
         cells = (
             f"`{row['policy']}`",
             row["draws"],
+            row["rank"],
             travel,
             elevation,
             f"{float(row['cost']):.2f}",
@@ -149,7 +255,7 @@ def main_table(rows: Sequence[dict[str, str]]) -> list[str]:
             *shares,
             f"{float(row['peak_pitch_deg']):.0f}, worst {float(row['worst_pitch_deg']):.0f}",
             f"{100 * float(row['saturated']):.0f} %",
-            better,
+            *better,
         )
         lines.append(f"| {' | '.join(cells)} |")
     return lines
@@ -231,8 +337,13 @@ def main() -> None:
     """Aggregate folders, or write the manual's tables."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folders", nargs="*", type=Path)
+    parser.add_argument("--run", type=Path, metavar="OUT", help="fly what is missing of the field into folders in OUT")
+    parser.add_argument("--parts", nargs="+", choices=FIELD, default=list(FIELD), help="parts of the field to fly")
+    parser.add_argument("--workers", type=int, default=2, help="number of processes that fly")
     parser.add_argument("--docs", action="store_true", help="write the tables of docs/evaluation.md")
     args = parser.parse_args()
+    if args.run:
+        fly_field(args.run, args.parts, args.workers)
     if args.folders:
         write_csv(TABLE, aggregate(flights(args.folders)))
     if args.docs:
