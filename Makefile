@@ -20,7 +20,7 @@ METHOD := apg-feedforward+tvlqr
 ON_FLEET := feedforward+tvlqr hover-lqr lqi lag-lqr lag-lqi kalman-lqr gain-scheduled flatness pd-cascade linear-mpc \
   l1-adaptive adaptive-lqr adaptive-mpc
 
-.PHONY: demo test test-slow lint docs pictures build/types reproduce clean
+.PHONY: demo test test-slow lint docs pictures build/types reproduce leaderboard clean
 
 demo: $(VENV)/eval
 	$(BIN)/heli-evaluate --out out
@@ -84,6 +84,11 @@ reproduce: $(VENV)/dev
 	$(BIN)/heli-results --methods out/ablation/runs/lab/* --policies feedforward+tvlqr@PLANT --out out/results/ablation
 	$(BIN)/python -m heli_gym.train.maneuvers --out out/results \
 	  --policies feedforward+tvlqr@lab kalman-lqr@lab adaptive-mpc residual "$(ANY)"
+
+# The table of docs/evaluation.md: an hour or more of one idle core; may be interrupted.
+leaderboard: $(VENV)/dev
+	$(BIN)/python benchmarks/field.py --run out/field --workers $(WORKERS)
+	$(BIN)/python benchmarks/field.py out/field/* --docs
 
 clean:
 	rm -rf $(VENV) out build dist site *.egg-info

@@ -14,6 +14,7 @@ import io
 import json
 import subprocess
 import sys
+import time
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -21,7 +22,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from heli_gym.baselines.evaluation.labels import label_of
-from heli_gym.baselines.evaluation.leaderboard import Condition, Settings, microseconds_per_step, standings
+from heli_gym.baselines.evaluation.leaderboard import (
+    Condition,
+    Settings,
+    env_settings,
+    microseconds_per_step,
+    pilot_for,
+    standings,
+)
 from heli_gym.baselines.evaluation.statistics import (
     bootstrapped_means,
     interquartile_mean,
@@ -29,6 +37,7 @@ from heli_gym.baselines.evaluation.statistics import (
     probability_of_improvement,
     rank_crashes_last,
 )
+from heli_gym.env import Heli3DOFEnv
 from heli_gym.parameters import Limits
 from heli_gym.storage import atomic_write
 
@@ -137,7 +146,7 @@ def ranks_of(found: dict[tuple[str, str, str], dict[int, dict[str, Any]]]) -> di
         )
         for entry in entries:
             low, high = entry["rank"]["interval"]
-            ranked[*condition, entry["policy"]] = f"{entry['rank']['value']:.0f} [{low:.0f}, {high:.0f}]"
+            ranked[*condition, entry["policy"]] = f"{entry['rank']['value']:g} [{low:.0f}, {high:.0f}]"
     return ranked
 
 
@@ -194,6 +203,31 @@ def improvement_over(flown: dict[int, dict[str, Any]], others: dict[int, dict[st
     return probability_of_improvement(
         *(np.array([[rows[s]["rms_error_deg"] for s in common]]) for rows in (flown, others)),
         *(np.array([[rows[s]["crashed"] for s in common]]) for rows in (flown, others)),
+    )
+
+
+def print_step_times(policy: str, flights: int = 10) -> None:
+    """Print median, 99th percentile and worst processor time of a policy's control step, first flights not counted."""
+    env = Heli3DOFEnv(**env_settings(Condition("lab", MANEUVER), SETTINGS))
+    pilot = pilot_for(policy, Condition("lab", MANEUVER), SETTINGS.control_period)
+    steps, firsts = [], []
+    for flight in range(-1, flights):
+        _, info = env.reset(seed=1 + flight)
+        pilot.reset(np.random.default_rng(0))
+        over, own = False, []
+        while not over:
+            began = time.process_time()
+            u = pilot(info["time"], info["measurement"])
+            own.append(1e3 * (time.process_time() - began))
+            _, _, terminated, truncated, info = env.step(env.to_action(u))
+            over = terminated or truncated
+        if flight >= 0:
+            firsts.append(own[0])
+            steps += own[1:]
+    median, high = np.quantile(steps, [0.5, 0.99])
+    print(f"{policy}: {len(steps)} steps of {flights} flights, processor time: median {median:.2f}, 99 % {high:.2f},")
+    print(
+        f"worst {max(steps):.2f} ms; first of a flight: median {np.median(firsts):.2f} ms, worst {max(firsts):.2f} ms"
     )
 
 
@@ -341,7 +375,10 @@ def main() -> None:
     parser.add_argument("--parts", nargs="+", choices=FIELD, default=list(FIELD), help="parts of the field to fly")
     parser.add_argument("--workers", type=int, default=2, help="number of processes that fly")
     parser.add_argument("--docs", action="store_true", help="write the tables of docs/evaluation.md")
+    parser.add_argument("--step", metavar="POLICY", help="print the times of a control step")
     args = parser.parse_args()
+    if args.step:
+        print_step_times(args.step)
     if args.run:
         fly_field(args.run, args.parts, args.workers)
     if args.folders:
