@@ -98,13 +98,11 @@ FIELD = {
 
 def fly_field(out: Path, parts: Iterable[str], workers: int) -> None:
     """Fly parts of FIELD, or what is missing of them, into folders in out; each keeps the commits it was flown from."""
-    git = subprocess.run(
-        ["git", "describe", "--always", "--dirty", "--exclude=*"], cwd=ROOT, capture_output=True, text=True, check=False
-    )
+    commit = commit_of_packages()
     for name in parts:
         part, folder = FIELD[name], out / name
         folder.mkdir(parents=True, exist_ok=True)
-        commits = commits_of(folder) | {git.stdout.strip() or "unknown"}
+        commits = commits_of(folder) | {commit}
         with atomic_write(folder / "commits") as file:
             file.write("\n".join(sorted(commits)).encode())
         order = f"-m heli_gym.baselines.commands.leaderboard --resume --no-outside --no-pages --episodes {part.draws}"
@@ -115,6 +113,20 @@ def fly_field(out: Path, parts: Iterable[str], workers: int) -> None:
             ),
             check=True,
         )
+
+
+def commit_of_packages() -> str:
+    """Last commit that touched the packages; with "-dirty" if their files differ from it."""
+    packages = ("--", "heli_gym", "baselines")
+    last = subprocess.run(
+        ["git", "log", "-1", "--abbrev=7", "--format=%h", *packages],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    changed = subprocess.run(["git", "diff", "--quiet", "HEAD", *packages], cwd=ROOT, check=False).returncode
+    return last.stdout.strip() + ("-dirty" if changed else "")
 
 
 def commits_of(folder: Path) -> set[str]:
