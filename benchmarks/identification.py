@@ -9,7 +9,7 @@ Parts:
     without-rig  like rigs, with a prior made of the other rigs, and a search for the filter's settings from one value
     whole        fitted to the whole of each log and judged on the same rest, in-sample, beside rigs; the model alone
     ablation     effects added one by one, and all but one: degrees of the model alone
-    parameters   of each rig from the first 60 % of its logs, with standard errors
+    parameters   of each rig from the first 60 % of its logs, with standard errors; b1 to b3 per N
     drift        thrust lost in 20 s: slope of the filter's lasting acceleration of elevation, over a2
     faults       one log with faults: ratios, or the refusal
 
@@ -181,8 +181,9 @@ def run_parameters(rigs: Rigs, only: list[str]) -> Iterator[Row]:
     for name in MeasuredParameters._fields:
         row: Row = {"parameter": name}
         for rig, m in models.items():
-            value, error = getattr(m.parameters, name), m.standard_errors.get(name)
-            row[rig] = f"({value:.3g})" if error is None else f"{value:.3g} ± {error:.1g}"
+            unit = m.thrust_unit if name in ("b1", "b2", "b3") else 1.0
+            value, error = getattr(m.parameters, name) / unit, m.standard_errors.get(name)
+            row[rig] = f"({value:.3g})" if error is None else f"{value:.3g} ± {error / unit:.1g}"
         yield row
 
 
