@@ -40,7 +40,7 @@ END_MARGIN = 0.02  # rad, of pitch coefficients next to an end in motion
 ROUGHNESS = 1e-4  # weight of smoothness (integral of squared N/s) relative to the logarithm of the duration
 TOLERANCE = 1e-7  # rad/s² and N
 ITERATIONS = {"fixed": 200, "fastest": 1000}
-GENERAL_ITERATIONS = 300  # for the fastest plan of maneuvers other than from rest to rest
+DENSE_ITERATIONS = 300  # for the refinement of a fastest plan with a floor or a limit on the travel rate
 SWING = 0.8  # pitch amplitude of the guess, as a share of the pitch limit
 EASY = 2.0  # ratio of the search's initial duration to a rough bound for travel alone
 STRETCHES = (1.0, 1.6, 0.7, 1.25, 2.5, 4.0)  # factors on that duration, tried until one gives a plan
@@ -599,13 +599,13 @@ def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline,
     path = path_limits(maneuver)
     # a slow guess meets limits on rates, which a fast plan exceeds by far
     is_fast_limited = not (path.travel_rate is path.elevation_rate is path.slew is path.lead is None)
-    iterations = None if maneuver.is_from_rest_to_rest else GENERAL_ITERATIONS
     for stretch in STRETCHES:
         duration = stretch * easy_duration(maneuver)
         is_dense = maneuver.floor is not None or maneuver.limits.travel_rate is not None
         start, barrier, found = guess(maneuver, duration, SHORTEST_SEGMENTS[0]), COLD, None
         for segments in SHORTEST_SEGMENTS[: 2 if is_dense else 3]:
             check()
+            iterations = DENSE_ITERATIONS if is_dense and found is not None else None
             while len(start.coefficients) - REST < segments:  # twice where the number before gave no plan
                 start = refined(start)
             if found is None and is_fast_limited:
