@@ -37,7 +37,7 @@ STEEPEST = 0.5 * math.pi  # rad, of any elevation
 ROUNDED = 0.5 * PATH_TOLERANCE  # excess over a path constraint that is none
 LEAD_MARGIN = 0.02  # V, for corrections of leading commands
 END_MARGIN = 0.02  # rad, of pitch coefficients next to an end in motion
-ROUGHNESS = 1e-4  # weight of smoothness (integral of squared N/s) relative to the logarithm of the duration
+ROUGHNESS = 3.4e-5  # s, weight of smoothness (integral of squared rates, in thrust ranges per s) next to log duration
 TOLERANCE = 1e-7  # rad/s² and N
 ITERATIONS = {"fixed": 200, "fastest": 1000}
 DENSE_ITERATIONS = 300  # for the refinement of a fastest plan with a floor or a limit on the travel rate
@@ -243,7 +243,13 @@ def least_effort(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: flo
 
 def fastest(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = COLD) -> Spline | None:
     """Fastest transition, from a guess; None without convergence."""
-    return optimise(maneuver, start, bounds, start.duration, (ROUGHNESS, 1.0, 0.0), barrier, SOONEST)
+    return optimise(maneuver, start, bounds, start.duration, fastest_weights(maneuver), barrier, SOONEST)
+
+
+def fastest_weights(maneuver: Maneuver) -> tuple[float, float, float]:
+    """Weights of the fastest plan; that of smoothness is relative to the thrust range, which differs between rigs."""
+    low, high = maneuver.rig.thrust_bounds(maneuver.limits.u)
+    return ROUGHNESS / (high - low) ** 2, 1.0, 0.0
 
 
 def smoothness_weights(maneuver: Maneuver, duration: float, segments: int) -> np.ndarray:
@@ -563,7 +569,7 @@ def fastest_from(maneuver: Maneuver) -> Spline | None:
             guess(maneuver, duration, FEWEST),
             Bounds(maneuver.rig.thrust_bounds(maneuver.limits.u), iterations=QUICK_ITERATIONS),
             duration,
-            (ROUGHNESS, 1.0, 0.0),
+            fastest_weights(maneuver),
             COLD,
             QUICK,
         )
