@@ -39,6 +39,7 @@ from heli_gym.validation import is_number, shown
 
 PITCH_RESERVES = (0.0, 1e-4)  # shares of the pitch limits in reserve for the fastest spline's replay error of 1e-5 rad
 RESERVE_ACCURACY = 5e-3  # of the largest reserve
+EASIER = (1.0, 8.0)  # multiples of an easy duration from which collocation searches for its least time
 FLAT_ACCURACY = 1e-3  # relative, of the shortest duration of a flat plan
 WORTH_NAMING = 0.01  # share of the duration, per whole range of a limit, from which the limit counts as binding
 
@@ -460,11 +461,19 @@ def plan_fastest_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory
 
 
 def collocated_above(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
-    """Plan of least time by direct collocation, regardless of the maneuver's duration; None if there is none."""
-    easy = replace(maneuver, duration=max(maneuver.duration, spline.easy_duration(maneuver)))
-    trajectory = collocated_trajectory(easy, "time", clock.left)
-    clock.check()
-    return trajectory and validated(replace(maneuver, duration=trajectory.duration), trajectory, clock)
+    """Plan of least time by direct collocation, regardless of the maneuver's duration; None if there is none.
+
+    The initial guesses do not depend on the duration either, or a longer one might be refused where a shorter is planned.
+    """
+    easy = spline.easy_duration(maneuver)
+    is_timed = any(time is not None for time, *_ in maneuver.via)
+    found = []
+    for duration in [max(maneuver.duration, easy)] if is_timed else [stretch * easy for stretch in EASIER]:
+        trajectory = collocated_trajectory(replace(maneuver, duration=duration), "time", clock.left)
+        clock.check()
+        if trajectory is not None:
+            found.append(validated(replace(maneuver, duration=trajectory.duration), trajectory, clock))
+    return min((one for one in found if one is not None), key=lambda one: one.duration, default=None)
 
 
 GENERAL = "auto", "spline", "collocation"  # methods for all maneuvers
