@@ -5,8 +5,9 @@
 Every controller is compiled by `cc -std=c99 -pedantic -Wall -Wextra -Werror` and flies the same perturbed start as the
 policy in Python: on `nominal`, and on a draw of `lab`, whose encoders round. Differences are the largest of any state,
 in rad and rad/s; for single precision on `lab`, the column RMS has the difference of the RMS travel errors in degrees.
-The last column is a flight on `lab` of Python's policy in double precision, on measurements rounded to single: between
-two counts of an encoder nothing corrects a rounding error, until a count is read a period earlier or later.
+The column "same" feeds both compiled precisions the measurements recorded in the flight on `lab` of Python's policy,
+without feedback: the largest difference of their voltages, as a share of the amplifier's range. The last column is a
+flight on `lab` of Python's policy in double precision, on measurements rounded to single.
 """
 
 import argparse
@@ -63,17 +64,31 @@ class CPolicy:
         return 1e6 / CALLS * max(seconds(self.loaded.heli_step, u) - seconds(self.loaded.heli_reset), 0.0)
 
 
-def fly(policy: Any, env: Heli3DOFEnv, dtype: type = np.float64) -> np.ndarray:
-    """States (K, 6) of a flight from the perturbed start of SEED, on measurements rounded to a precision."""
+Measured = list[tuple[float, np.ndarray]]
+
+
+def fly(policy: Any, env: Heli3DOFEnv, dtype: type = np.float64, measured: Measured | None = None) -> np.ndarray:
+    """States (K, 6) of a flight from the perturbed start of SEED, on measurements rounded to a precision.
+
+    Times and measurements are appended to `measured`.
+    """
     _, info = env.reset(seed=SEED)
     policy.reset(np.random.default_rng(0))
     x, over = [info["state"]], False
     while not over:
+        if measured is not None:
+            measured.append((info["time"], info["measurement"].copy()))
         u = policy(info["time"], info["measurement"].astype(dtype).astype(float))
         _, _, terminated, truncated, info = env.step(env.to_action(u))
         x.append(info["state"])
         over = terminated or truncated
     return np.array(x)
+
+
+def answer(policy: CPolicy, measured: Measured) -> np.ndarray:
+    """Voltages (K, 2) of a controller for recorded measurements."""
+    policy.reset(np.random.default_rng(0))
+    return np.array([policy(t, y) for t, y in measured])
 
 
 def apart(one: np.ndarray, other: np.ndarray) -> float:
@@ -94,9 +109,10 @@ def main() -> None:
     parser.add_argument("--policies", nargs="*", default=[*EXPORTED, "residual"])
     args = parser.parse_args()
     print(
-        "| rig | policy | double, nominal | lab | single, nominal | lab | RMS | µs (double) | (single) | rounded, lab |"
+        "| rig | policy | double, nominal | lab | single, nominal | lab | RMS | same | µs (double) | (single) "
+        "| rounded, lab |"
     )
-    print("|---|---|---|---|---|---|---|---|---|---|")
+    print("|---|---|---|---|---|---|---|---|---|---|---|")
     for rig in map(find_rig, args.rigs):
         reference = reference_for("travel-180", rig)
         envs = [Heli3DOFEnv(plant, reference, PERIOD, start_spread_deg=3.0, rig=rig) for plant in ("nominal", "lab")]
@@ -105,15 +121,18 @@ def main() -> None:
                 policy = make_policy(name, envs[0].reference, PERIOD, rig=rig)
             except ValueError:  # a network for another rig
                 continue
-            flights = [fly(policy, env) for env in envs]
-            cells, times = [], []
+            measured: Measured = []
+            flights = [fly(policy, envs[0]), fly(policy, envs[1], measured=measured)]
+            cells, times, answers = [], [], []
             for precision in PRECISIONS:
                 compiled = CPolicy(policy, rig, name, precision)
                 own = [fly(compiled, env) for env in envs]
                 cells += [f"{apart(one, flight):.1e}" for one, flight in zip(own, flights)]
+                answers.append(answer(compiled, measured))
                 times.append(f"{compiled.microseconds(reference):.2f}")
             errors = [rms_deg(flight, envs[1].reference) for flight in (own[1], flights[1])]
-            cells += [f"{abs(errors[0] - errors[1]):.0e}", *times]
+            share = np.abs(answers[0] - answers[1]).max() / np.ptp(rig.voltage_limits)
+            cells += [f"{abs(errors[0] - errors[1]):.0e}", f"{share:.1e}", *times]
             cells.append(f"{apart(fly(policy, envs[1], np.float32), flights[1]):.1e}")
             print(f"| {rig.name} | {name} | {' | '.join(cells)} |", flush=True)
 

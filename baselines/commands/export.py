@@ -145,9 +145,11 @@ Written by `heli-export`. Reference of {duration:g} s, a sample every {period:g}
 | `v_ff` | thrust sum, thrust difference (front minus back) | N |
 | `K` | rows sum and difference; columns {inputs} | N per unit of the column |
 
-Feedback: `v = v_ff - K (y - x_ref)`. Signs: travel is positive counter-clockwise seen from above; elevation is
-positive **{elevation}**; pitch is positive when the front rotor is higher, which more thrust in front brings about; a
-positive pitch accelerates the travel {pitch_turns}. Positive thrusts lift.
+Feedback: `v = v_ff - K (y - x_ref)`. {reads}
+{columns}
+Signs: travel is positive counter-clockwise seen from above; elevation is positive **{elevation}**; pitch is positive
+when the front rotor is higher, which more thrust in front brings about; a positive pitch accelerates the travel
+{pitch_turns}. Positive thrusts lift.
 
 Zero of elevation: the arm is level. Zero of travel: where the reference starts from 0. The rig's sensors:
 angle = sign * (sensor - zero), with the signs {signs} and the zeros {zeros} rad of travel, elevation and pitch, and
@@ -178,6 +180,24 @@ heli_step(t, y, u);           /* every {period:g} s: t in s from 0 on, y (6) as 
 
 `t` outside the reference holds its ends. {between} A `y` that is no number gives the voltage nearest to zero.
 """
+
+PREDICTED = """
+In place of `y` stands its prediction over the rig's delay, and the row is that of the time when `u` takes effect.
+"""
+COLUMNS = {  # what K multiplies after the deviations of the state, by the first one
+    "thrust_sum": """
+`thrust_sum` and `thrust_difference` multiply the thrusts in N of modelled rotors, which follow `u` with the rig's lag
+and delay, less those of the plan's own voltages; `v_ff` leads these by the lag.
+""",
+    "travel_integral": """
+`travel_integral` and `elevation_integral` multiply integrals of `y - x_ref` in rad s, which stand still while `u` is
+saturated.
+""",
+}
+ANGLES, ALL = (
+    "Of `y` only the angles are read: a Kalman filter estimates the rates.",
+    "The rates in `y` are read too: measure them, or filter differences of the angles.",
+)
 
 TABLE_NOTES = {
     "csv": "\n`heli_controller.csv` has one row a sample, with signals and units in its header.\n",
@@ -216,6 +236,9 @@ def readme(args: Args, policy: Policy, rig: Rig, reference: Trajectory, inputs: 
         rig=rig.name,
         duration=reference.duration,
         period=args.control_period,
+        columns=(PREDICTED if isinstance(policy, ModelPolicy) and policy.actuator.delay else "")
+        + "".join(text for name, text in COLUMNS.items() if name in inputs),
+        reads=ANGLES if isinstance(policy, ModelPolicy) and policy.observer is not None else ALL,
         inputs=", ".join(inputs) if inputs else "of the base controller",
         signs=rig.sensor_signs,
         zeros=rig.sensor_zeros,

@@ -463,7 +463,7 @@ def plan_fastest_collocation(maneuver: Maneuver, clock: TimeLimit) -> Trajectory
 def collocated_above(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
     """Plan of least time by direct collocation, regardless of the maneuver's duration; None if there is none.
 
-    The initial guesses do not depend on the duration either, or a longer one might be refused where a shorter is planned.
+    Nor do the initial guesses depend on it: a longer duration must not be refused where a shorter one is planned.
     """
     easy = spline.easy_duration(maneuver)
     is_timed = any(time is not None for time, *_ in maneuver.via)

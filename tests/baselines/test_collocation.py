@@ -9,7 +9,8 @@ import pytest
 from independent import shortest_time
 
 from heli_gym import Maneuver, thrust
-from heli_gym.baselines import plan
+from heli_gym.baselines import InfeasibleManeuver, plan, plan_fastest
+from heli_gym.baselines.planning import planner
 from heli_gym.baselines.planning.collocation import collocate
 
 
@@ -18,6 +19,19 @@ def test_least_time_is_that_of_another_transcription(requested):
     assert collocate(requested, "time").t[-1] == pytest.approx(
         shortest_time(requested, plan(requested), intervals=100), rel=2e-3
     )
+
+
+def test_the_fastest_plan_does_not_depend_on_the_duration_that_is_allowed(monkeypatch):
+    guesses = []
+
+    def failing(maneuver, *_):
+        guesses.append(maneuver.duration)
+
+    monkeypatch.setattr(planner, "collocated_trajectory", failing)
+    for duration in (6.0, 600.0):
+        with pytest.raises(InfeasibleManeuver):
+            plan_fastest(Maneuver(duration=duration), "collocation")
+    assert guesses[: len(guesses) // 2] == guesses[len(guesses) // 2 :]
 
 
 def test_least_effort_takes_less_than_other_plans():

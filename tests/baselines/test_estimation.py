@@ -1,6 +1,7 @@
 """Assumed actuator, Kalman filter on the angles, and disturbance-accommodated reference."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm, solve_discrete_are
 
 from heli_gym import HelicopterParameters, Limits, linearise
+from heli_gym.baselines import make_policy
 from heli_gym.baselines.control.estimation import (
     ENCODER_NOISE,
     Noise,
@@ -19,6 +21,7 @@ from heli_gym.baselines.control.estimation import (
     predict,
     rotor_response,
 )
+from heli_gym.env import find_reference
 from heli_gym.model import hover_input
 from heli_gym.rig import PAPER, rig_of
 
@@ -40,6 +43,15 @@ def some_states(count: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray, np.n
 
 
 # The actuator
+
+
+@pytest.mark.parametrize("control_period", [0.005, 0.01, 0.02, 0.04])
+@pytest.mark.parametrize("name", ["lag-lqr", "kalman-lqr"])
+def test_policies_assume_the_rigs_delay_in_seconds_at_any_control_period(name, control_period):
+    rig = replace(PAPER, delay=0.04)
+    policy = make_policy(name, find_reference("travel-180"), control_period, rig=rig)
+    assert policy.actuator.delay * control_period == pytest.approx(0.04)
+    assert policy.actuator.lag == rig.lag
 
 
 def test_after_its_lag_a_rotor_has_turned_by_all_but_one_over_e():

@@ -185,13 +185,16 @@ def test_the_mat_file_has_structures_with_time(tmp_path):
     assert Rig.from_toml(str(data["rig"][0])) == TRAVEL_360.rig
 
 
-@pytest.mark.parametrize("name", ["feedforward+tvlqr", "lag-lqi"])
+@pytest.mark.parametrize("name", ["feedforward+tvlqr", "lag-lqi", "kalman-lqr"])
 def test_the_document_says_order_signs_and_units(name):
     text = export_files(Args("travel-360", name, "csv"))["README.md"].decode()
     for words in ("positive **down**", "rad/s", "front, back", "0 to 12 V", "thrust sum"):
         assert words in text
+    assert ("differences of the angles" in text) == (name != "kalman-lqr")
+    assert ("prediction over the rig's delay" in text) == (name != "feedforward+tvlqr")
     if name == "lag-lqi":
         assert "thrust_difference, travel_integral" in text
+        assert "multiply integrals of `y - x_ref`" in text
 
 
 def test_the_command_writes_the_files_and_the_time_of_a_step(tmp_path, capsys):
@@ -237,3 +240,23 @@ def test_a_delay_of_many_periods_is_bridged_alike(tmp_path):
     for k in range(300):
         y = TRAVEL_360(0.004 * k)[0] + rng.normal(0.0, 0.01, 6)
         assert_allclose(c_policy(0.004 * k, y), np.clip(policy(0.004 * k, y), 0.0, 12.0), rtol=0.0, atol=1e-8)
+
+
+@needs_cc
+@pytest.mark.parametrize("name", ["lag-lqi", "kalman-lqr"])
+def test_both_precisions_answer_the_same_measurements_of_encoders_alike(name, tmp_path):
+    policy, measured = make_policy(name, TRAVEL_360, PERIOD), []
+    env = Heli3DOFEnv("lab", TRAVEL_360, PERIOD, start_spread_deg=3.0)
+    _, info = env.reset(seed=3)
+    policy.reset(np.random.default_rng(0))
+    for _ in range(200):
+        measured.append((info["time"], info["measurement"]))
+        *_, info = env.step(env.to_action(policy(*measured[-1])))
+    answers = []
+    for precision in ("double", "single"):
+        (tmp_path / precision).mkdir()
+        compiled = CPolicy(policy, TRAVEL_360.rig, precision, tmp_path / precision)
+        compiled.reset(None)
+        answers.append(np.array([compiled(t, y) for t, y in measured]))
+    assert_allclose(answers[1], answers[0], atol=1e-3 * 12.0)
+    assert np.median(np.abs(answers[1] - answers[0])) < 1e-4 * 12.0
