@@ -72,7 +72,6 @@ DESIGNED = (
     "hover-lqr",
 )
 UNTUNED = tuple(name.removesuffix("@PLANT") for name in DESIGNED)
-PREDICTIVE = ("adaptive-mpc", "nmpc", "nmpc@PLANT", "adaptive-lqr")
 LAB, RIGID, FLEET, NOMINAL = ((plant, f"{plant}+outside") for plant in ("lab", "rigid", "fleet", "nominal"))
 FIELD = {
     "learned-lab": Part(1000, LAB, ("residual", "residual-any")),
@@ -80,13 +79,16 @@ FIELD = {
     "learned-fleet": Part(300, FLEET, ("residual",)),
     "lab": Part(1000, ("lab",), (*DESIGNED, "adaptive-mpc")),
     "rigid": Part(1000, ("rigid",), (*DESIGNED, "adaptive-mpc")),
-    "fleet": Part(300, FLEET, (*UNTUNED, "adaptive-mpc")),
-    "lab+outside": Part(1000, ("lab+outside",), (*DESIGNED, "adaptive-mpc")),
-    "rigid+outside": Part(1000, ("rigid+outside",), (*DESIGNED, "adaptive-mpc")),
+    "fleet": Part(300, FLEET, UNTUNED),
+    "predictive-fleet": Part(100, FLEET, ("adaptive-mpc",)),
+    "lab+outside": Part(1000, ("lab+outside",), DESIGNED),
+    "rigid+outside": Part(1000, ("rigid+outside",), DESIGNED),
+    "predictive-outside": Part(300, (LAB[1], RIGID[1]), ("adaptive-mpc",)),
     "nominal": Part(20, NOMINAL, (*UNTUNED, "adaptive-mpc", "nmpc", "adaptive-lqr")),
-    "predictive": Part(200, (*LAB, *RIGID), PREDICTIVE[1:]),
+    "predictive": Part(200, (*LAB, *RIGID), ("nmpc", "adaptive-lqr")),
+    "tuned-nmpc": Part(100, (*LAB, *RIGID), ("nmpc@PLANT",)),
     "safe": Part(200, ("lab", "rigid"), ("feedforward+tvlqr@PLANT+safe", "kalman-lqr@PLANT+safe")),
-    "linear": Part(20, ("lab", "rigid"), ("linear-mpc", "linear-mpc@PLANT")),
+    "linear": Part(10, ("lab", "rigid"), ("linear-mpc",)),
     "maneuvers": Part(
         100,
         ("lab",),
