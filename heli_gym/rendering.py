@@ -68,8 +68,8 @@ def in_space(scene: RenderState) -> RenderState:
     signs = np.repeat((travel, elevation, pitch), 2)
     pitches = sorted(pitch * limit for limit in scene.limits.pitch)
     return scene._replace(
-        state=signs * scene.state,
-        reference=signs * scene.reference,
+        state=(signs * scene.state).tolist(),
+        reference=(signs * scene.reference).tolist(),
         travel_start=travel * scene.travel_start,
         limits=replace(scene.limits, pitch_min=pitches[0], pitch_max=pitches[1]),
     )

@@ -15,7 +15,15 @@ import torch
 from gymnasium.utils.seeding import np_random
 from threadpoolctl import threadpool_limits
 
-from heli_gym.baselines.control.residual import CELL, Network, RecurrentNetwork, ResidualPolicy
+from heli_gym.baselines.control.residual import (
+    CELL,
+    FLIGHT_FEATURES,
+    SINGLE_GROUPS,
+    Network,
+    RecurrentNetwork,
+    ResidualPolicy,
+    time_features,
+)
 from heli_gym.baselines.control.tracking import TrackingPolicy
 from heli_gym.plant import ThrustDrift
 from heli_gym.rigid_body import RigidBodyParameters
@@ -59,10 +67,8 @@ from heli_gym.train.flight_gradient import (
 )
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
-GROUPS = ("error", "voltages", "preview")  # feature groups of its network
 AHEAD = (0.0, 0.2, 0.4, 0.8, 1.6)  # s, previews of the reference
 UNBOUNDED = 1e9  # V
-FLIGHT_FEATURES = (*range(8), 10, 11)  # indices; the other features depend on time alone
 
 
 class Actor(torch.nn.Module):
@@ -157,11 +163,6 @@ class FlightLoss(torch.autograd.Function):
         return None, None, None, *(grad_outputs[0] * torch.from_numpy(array) for array in arrays)
 
 
-def time_features(features: int) -> list[int]:
-    """Indices of the features that depend on time alone."""
-    return [k for k in range(features) if k not in FLIGHT_FEATURES]
-
-
 def weights_of(tensors: Any) -> Weights:
     """Parameters of the actor for the compiled flights."""
     weight_input, hidden, input_bias, hidden_bias, output, output_bias = (t.detach().numpy() for t in tensors)
@@ -188,7 +189,7 @@ def task_of(
     first = simulation.plants[0]
     general = simulation.fly is motion.step_general
     curve = base.rig.thrust_map.front
-    usual = shared.substeps == SUBSTEPS and first.sensors is not None and not shared.is_noisy and not shared.pieces
+    usual = shared.substeps == SUBSTEPS and not shared.is_noisy and not shared.pieces
     usual = usual and (general or (simulation.fly is motion.step_plant and not shared.disturbances))
     for plant in simulation.plants:
         usual = usual and math.isinf(plant.rotors.slew)
@@ -196,8 +197,8 @@ def task_of(
             usual = usual and plant.rig is None and all(isinstance(d, ThrustDrift) for d in plant.disturbances)
         else:
             usual = usual and not any(plant.friction.coulomb) and plant.rotors.gains == (1.0, 1.0)
-    usual = usual and isinstance(curve, PowerCurve) and base.rig.thrust_map.back == curve and curve.dead_zone == 0.0
-    if not usual:
+    usual = usual and base.rig.thrust_map.back == curve
+    if not (usual and isinstance(curve, PowerCurve) and curve.dead_zone == 0.0 and first.sensors is not None):
         raise ValueError(
             "plant: must have encoders, no noise, no slew limit, power curves of thrust, and no disturbances but a "
             "drift of thrust; the base's rotors must be alike"
@@ -264,8 +265,8 @@ class APG:
     """Analytic policy gradient with the interface of Stable-Baselines3's algorithms.
 
     Args:
-        policy: residual policy that defines reference, base, scale and law; its feature groups must be `GROUPS`, or
-            those without the preview. With several, each update flies the next one's reference.
+        policy: residual policy that defines reference, base, scale and law; its feature groups must be
+            `SINGLE_GROUPS`, or those without the preview. With several, each update flies the next one's reference.
         envs: `LANES` helicopters, from which each update draws, on the policy's reference; or several, one for each
             policy.
         learning_rate: learning rate of Adam.
@@ -298,8 +299,8 @@ class APG:
         fleets = [envs] if isinstance(envs, Heli3DOFVectorEnv) else list(envs)
         if len(policies) != len(fleets) or any(own.num_envs != LANES for own in fleets):
             raise ValueError(f"envs: must be {LANES} helicopters for each policy, not {[e.num_envs for e in fleets]}")
-        for groups in {own.feature_groups for own in policies} - {GROUPS, GROUPS[:2]}:
-            raise ValueError(f"feature_groups = {groups!r}: must be {GROUPS!r}, or without the last")
+        for groups in {own.feature_groups for own in policies} - {SINGLE_GROUPS, SINGLE_GROUPS[:2]}:
+            raise ValueError(f"feature_groups = {groups!r}: must be {SINGLE_GROUPS!r}, or without the last")
         self.arguments = {
             "learning_rate": learning_rate,
             "hidden": hidden,

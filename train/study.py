@@ -46,7 +46,7 @@ from heli_gym.train import train
 MOST_TRIALS = 10_000
 OURS = ("out", "resume", "progress")  # settings of heli-train that the sweep sets itself
 IN_FOLDER = ("plant", "rig", "algo", "mode", "base", "feature_groups", "privileged", "seed")  # named by `run_folder`
-METRICS = {
+METRICS: dict[str, Literal["minimize", "maximize"]] = {
     "score": "maximize",
     "episode_return": "maximize",
     "success": "maximize",
@@ -249,7 +249,7 @@ class Proposals:
             raise ValueError('study: search must have Optuna: `pip install "heli-gym[sweep]"` brings it') from error
         optuna.logging.set_verbosity(optuna.logging.WARNING)
         self.search, self.failed = search, optuna.trial.TrialState.FAIL
-        self.distributions = {
+        self.distributions: dict[str, Any] = {
             name: optuna.distributions.CategoricalDistribution(space)
             if isinstance(space, list)
             else optuna.distributions.IntDistribution(**space)

@@ -33,6 +33,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Annotated, Any
 
+import numpy as np
 import tyro
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -373,7 +374,7 @@ def summarise(records: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     for method, own in sorted(methods.items()):
         row: dict[str, Any] = {"method": method.removeprefix("runs/"), "seeds": len(own)}
         for name in MEASURED:
-            found = with_interval([record[name] for record in own])
+            found = with_interval(np.array([record[name] for record in own]))
             low, high = found["interval"] or (None, None)
             row |= {name: found["mean"], f"{name}_low": low, f"{name}_high": high}
         rows.append(row)

@@ -33,6 +33,7 @@ from heli_gym.baselines.control.policies import POLICIES, make_policy
 from heli_gym.baselines.control.residual import (
     AHEAD,
     FEATURE_GROUPS,
+    SINGLE_GROUPS,
     Learned,
     Network,
     RecurrentNetwork,
@@ -121,7 +122,7 @@ OF_STABLE_BASELINES: dict[str, Any] = {
 }
 DEFAULTS: dict[str, dict[str, Any]] = {
     "apg": {
-        "feature_groups": apg.GROUPS,
+        "feature_groups": SINGLE_GROUPS,
         "steps": 64_000_000,
         "envs": apg.LANES,
         "chunk": 15_000,
@@ -394,7 +395,7 @@ def validate(
 ) -> dict[str, Any]:
     """Mean metrics of flights with seeds from `seed` on, with the agent or, without one, the base alone."""
     network = network_of(agent) if agent else lambda features: np.zeros((2, *features.shape[1:]))
-    metrics = []
+    metrics: list[Metrics] = []
     for envs in fleets:
         reference = envs.reference_of(0)
         flights = fly_many(envs, make_residual_policy(args, reference, network), seed + len(metrics))

@@ -15,7 +15,6 @@ from heli_gym.baselines.control.adaptive_filter import (
     ROTORS,
     UNADAPTED,
     AdaptiveFilter,
-    FilterNoise,
     unexplained,
     with_estimates,
 )
@@ -123,8 +122,11 @@ def linear_mpc(
 ) -> LinearMpcPolicy:
     """Offset-free linear MPC with the disturbance estimates of `nmpc`. Raises ImportError without OSQP."""
     import_osqp()
-    disturbances = weights.travel_disturbance, weights.elevation_disturbance, weights.pitch_disturbance
-    noise = UNADAPTED._replace(**dict(zip(FilterNoise._fields[1:4], disturbances)))
+    noise = UNADAPTED._replace(
+        travel_disturbance=weights.travel_disturbance,
+        elevation_disturbance=weights.elevation_disturbance,
+        pitch_disturbance=weights.pitch_disturbance,
+    )
     x, u = control_grid(reference, control_period)
     return LinearMpcPolicy(
         x=x,

@@ -42,6 +42,7 @@ FEATURE_GROUPS = {
     "past": "errors of the angles, and corrections",
 }
 SINGLE_GROUPS = ("error", "voltages", "preview")  # in the order of the features
+FLIGHT_FEATURES = (*range(8), 10, 11)  # indices in SINGLE_GROUPS; the other features depend on time alone
 STATE_SCALE = np.array([math.pi, 1.0, 0.2, 0.5, 1.0, 2.0])  # rad and rad/s, scales of the previewed reference
 DISTURBANCE_SCALE, INTEGRAL_SCALE, FEATURE_CLIP = 0.2, 0.1, 5.0  # rad/s², rad s, bound of all features
 
@@ -124,7 +125,7 @@ class ResidualPolicy:
             if self.single_step is None and SingleStep.serves(self):
                 self.single_step = SingleStep(self)
             if self.single_step is not None:
-                return self.single_step(t, measurement)
+                return self.single_step(float(t), measurement)
         u_base, features = self.observe(t, measurement)
         if isinstance(self.network, RecurrentNetwork):
             assert self.memory is not None
@@ -211,6 +212,11 @@ def voltage_of(curve: PowerCurve, f: float) -> float:
     return beyond if f >= 0.0 else -beyond
 
 
+def time_features(features: int) -> list[int]:
+    """Indices of the features of `SINGLE_GROUPS`, `features` in all, that depend on time alone."""
+    return [k for k in range(features) if k not in FLIGHT_FEATURES]
+
+
 class SingleStep:
     """Control step of one helicopter, several times faster than the general one and equal to it to rounding.
 
@@ -223,9 +229,9 @@ class SingleStep:
 
     def __init__(self, policy: ResidualPolicy) -> None:
         base, network = policy.base, policy.network
+        assert isinstance(base, TrackingPolicy)  # `serves`
         T, n, F = policy.x.shape[1], network.size, network.weight_input.shape[1]
-        seen = [*range(8), 10, 11]  # features that depend on the flight
-        timed = [k for k in range(F) if k not in seen]
+        seen, timed = list(FLIGHT_FEATURES), time_features(F)
         voltages = normalise_voltage(policy.u, policy.voltage_limits)
         values = np.clip(np.concatenate((voltages, policy.preview)), -FEATURE_CLIP, FEATURE_CLIP)
         bias = network.bias_input[:, None] + network.weight_input[:, timed] @ values
@@ -247,7 +253,9 @@ class SingleStep:
         self.gains = np.ascontiguousarray(base.gains.transpose(2, 0, 1))
         self.tolerance, self.last, self.period = np.array(TOLERANCE), T - 1, policy.control_period
         self.scale, (self.low, self.high) = policy.scale, policy.voltage_limits
-        self.front, self.back = base.rig.thrust_map.front, base.rig.thrust_map.back
+        front, back = base.rig.thrust_map.front, base.rig.thrust_map.back
+        assert isinstance(front, PowerCurve) and isinstance(back, PowerCurve)  # `serves`
+        self.front, self.back = front, back
         self.input = np.zeros(n + 10)
         self.hidden, self.features = self.input[:n], self.input[n:]
         self.gates, self.reset_gate, self.update = (gates := np.empty(2 * n)), gates[:n], gates[n:]

@@ -175,7 +175,9 @@ KALMAN_LQR = ObserverWeights(
     pitch_disturbance=0.9,
     acceleration=0.01,
 )
-L1 = L1Weights(*[getattr(KALMAN_LQR, item.name) for item in fields(Weights)], predictor=5.0, bandwidth=2.0, largest=0.5)
+L1 = L1Weights(
+    **{item.name: getattr(KALMAN_LQR, item.name) for item in fields(Weights)}, predictor=5.0, bandwidth=2.0, largest=0.5
+)
 PD = CascadeGains(
     travel=0.318, travel_rate=9.45, elevation=4.61, elevation_rate=2.63, integral=4.27, pitch=17.4, pitch_rate=7.82
 )

@@ -187,7 +187,8 @@ class LocalEngine:
             for index, task in enumerate(tasks):
                 yield index, function(task)
             return
-        waiting, again, losses = enumerate(tasks), [], Losses(if_lost)
+        waiting, losses = enumerate(tasks), Losses(if_lost)
+        again: list[tuple[int, Any]] = []
         free, running = list(self.slots), dict[Future, tuple[int, Any, Slot]]()
         interrupted = False
         try:
@@ -325,7 +326,8 @@ class RayEngine:
         """See `Engine`."""
         ray = self.ray
         remote = ray.remote(num_cpus=1, max_retries=0, scheduling_strategy="SPREAD")(call)
-        waiting, again, losses = enumerate(tasks), [], Losses(if_lost)
+        waiting, losses = enumerate(tasks), Losses(if_lost)
+        again: list[tuple[int, Any]] = []
         running: dict[Any, tuple[int, Any]] = {}
         try:
             while True:

@@ -58,8 +58,9 @@ class ManeuverSampler:
         """Plan a random transition. Raises RuntimeError if DRAWS transitions have no plan in this duration."""
         for _ in range(DRAWS):
             # numpy refuses the range from 0.0 to -0.0
-            travel, elevation = ([end + 0.0 for end in ends] for ends in (self.travel, self.elevation))
-            maneuver = self.maneuver(rng.uniform(*travel), *rng.uniform(*elevation, size=2))
+            travel, elevation = (np.add(ends, 0.0) for ends in (self.travel, self.elevation))
+            start, goal = rng.uniform(elevation[0], elevation[1], size=2)
+            maneuver = self.maneuver(rng.uniform(travel[0], travel[1]), start, goal)
             trajectory = validated(maneuver, spline.plan_smoothest(maneuver))
             if trajectory is not None:
                 return trajectory

@@ -10,7 +10,7 @@ from stable_baselines3.common.callbacks import BaseCallback  # noqa: E402
 from heli_gym.baselines import make_policy  # noqa: E402
 from heli_gym.baselines.control.residual import ResidualPolicy  # noqa: E402
 from heli_gym.env import find_reference  # noqa: E402
-from heli_gym.train.apg import AHEAD, APG, GROUPS, Actor, network_of  # noqa: E402
+from heli_gym.train.apg import AHEAD, APG, SINGLE_GROUPS, Actor, network_of  # noqa: E402
 from heli_gym.train.flight_gradient import LANES  # noqa: E402
 from heli_gym.vector_env import Heli3DOFVectorEnv  # noqa: E402
 
@@ -21,7 +21,9 @@ STEPS = 250 * LANES  # control periods of a batch
 def agent(**kwargs):
     envs = Heli3DOFVectorEnv(LANES, "lab", SHORT, start_spread_deg=5.0)
     base = make_policy("feedforward+tvlqr@lab", SHORT)
-    return APG(ResidualPolicy(base, SHORT, None, 12.0, feature_groups=GROUPS, ahead=AHEAD), envs, hidden=8, **kwargs)
+    return APG(
+        ResidualPolicy(base, SHORT, None, 12.0, feature_groups=SINGLE_GROUPS, ahead=AHEAD), envs, hidden=8, **kwargs
+    )
 
 
 @pytest.mark.slow
@@ -87,7 +89,9 @@ def test_a_saved_agent_goes_on_as_it_would_have(tmp_path):
 def test_updates_fly_one_reference_after_the_other():
     references = SHORT, find_reference("travel-180")
     policies = [
-        ResidualPolicy(make_policy("feedforward+tvlqr@lab", r), r, None, 12.0, feature_groups=GROUPS, ahead=AHEAD)
+        ResidualPolicy(
+            make_policy("feedforward+tvlqr@lab", r), r, None, 12.0, feature_groups=SINGLE_GROUPS, ahead=AHEAD
+        )
         for r in references
     ]
     learner = APG(policies, [Heli3DOFVectorEnv(LANES, "lab", r) for r in references], hidden=4)

@@ -10,7 +10,7 @@ from heli_gym.baselines.evaluation.metrics import flight_metrics  # noqa: E402
 from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
 from heli_gym.env import find_reference, reference_for  # noqa: E402
 from heli_gym.plant import Plant, Push, Sensors  # noqa: E402
-from heli_gym.train.apg import AHEAD, GROUPS, Actor, batch_of, network_of, task_of, weights_of  # noqa: E402
+from heli_gym.train.apg import AHEAD, SINGLE_GROUPS, Actor, batch_of, network_of, task_of, weights_of  # noqa: E402
 from heli_gym.train.flight_gradient import LANES, N_FLIGHT_FEATURES, Rollout, Weights  # noqa: E402
 from heli_gym.vector_env import Heli3DOFVectorEnv  # noqa: E402
 
@@ -25,7 +25,9 @@ def residual_policy(network=None, scale=4.0, plant="lab", law="saturated"):
     reference = ON_FLEET if plant == "fleet" else SHORT
     base = make_policy("feedforward+tvlqr" if plant == "fleet" else "feedforward+tvlqr@lab", reference)
     limits = reference.rig.voltage_limits
-    return ResidualPolicy(base, reference, network, scale, 0.02, limits, feature_groups=GROUPS, law=law, ahead=AHEAD)
+    return ResidualPolicy(
+        base, reference, network, scale, 0.02, limits, feature_groups=SINGLE_GROUPS, law=law, ahead=AHEAD
+    )
 
 
 def still(features):
@@ -136,4 +138,6 @@ def test_other_plants_and_bases_are_refused():
             task_of(residual_policy(), helicopters(plant), 0.5, 1.0)
     base = make_policy("kalman-lqr", SHORT)
     with pytest.raises(ValueError, match="base: must be"):
-        task_of(ResidualPolicy(base, SHORT, None, 1.0, feature_groups=GROUPS, ahead=AHEAD), helicopters(), 0.5, 1.0)
+        task_of(
+            ResidualPolicy(base, SHORT, None, 1.0, feature_groups=SINGLE_GROUPS, ahead=AHEAD), helicopters(), 0.5, 1.0
+        )

@@ -14,11 +14,14 @@ from rich.console import Console  # noqa: E402
 from stable_baselines3 import PPO  # noqa: E402
 
 from heli_gym.baselines import make_policy  # noqa: E402
-from heli_gym.baselines.control.residual import ResidualPolicy, load_learned  # noqa: E402
+from heli_gym.baselines.control.residual import (  # noqa: E402
+    SINGLE_GROUPS,
+    ResidualPolicy,
+    load_learned,
+)
 from heli_gym.baselines.evaluation.metrics import flight_metrics  # noqa: E402
 from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
 from heli_gym.env import find_reference  # noqa: E402
-from heli_gym.train.apg import GROUPS  # noqa: E402
 from heli_gym.train.checkpoint import last_checkpoint, read_checkpoint, save_checkpoint  # noqa: E402
 from heli_gym.train.flight_gradient import LANES  # noqa: E402
 from heli_gym.train.train import (  # noqa: E402
@@ -205,7 +208,7 @@ def test_a_network_that_crashes_early_is_never_the_best():
         ({"learning_rate": float("nan")}, "learning_rate = nan"),
         ({"algo": "apg"}, "envs: must be 128 helicopters"),
         (
-            {"algo": "apg", "plant": "nominal", "envs": LANES, "feature_groups": GROUPS, "base": "open-loop"},
+            {"algo": "apg", "plant": "nominal", "envs": LANES, "feature_groups": SINGLE_GROUPS, "base": "open-loop"},
             "plant: must have",
         ),
         ({"base": "moon"}, "base"),
