@@ -40,9 +40,9 @@ def riccati_kernel() -> Callable:
     """Compile a function that fills in P (2 N + 1, 6, 6), backwards from its last entry, and K (2, 6, 2 N + 1) of (51).
 
     J (2 N + 1, 6, 8) are the Jacobians at the same times; only the entries given by `rows` and `columns` are read. R is
-    the inverse of the weight. A step h spans two entries, and the entry between them is interpolated. The function
-    returns the largest error estimate of a step relative to the diagonal of P: the difference to an embedded step of
-    order three, which uses the slope at the end.
+    the inverse of the weight. A step of h (N,) spans two entries, and the entry between them is interpolated. Returns
+    the largest error estimate of a step relative to the diagonal of P: the difference to an embedded step of order
+    three, which uses the slope at the end.
     """
 
     def integrate(P, J, rows, columns, Q, R, h, K):
@@ -50,11 +50,12 @@ def riccati_kernel() -> Callable:
         scale, last, worst = np.empty(6), len(P) - 1, 0.0
         slope(P[last], J[last], rows, columns, Q, R, S, W, V, k[4])
         for n in range(last, 0, -2):
+            step = h[n // 2 - 1]
             for i in range(6):
                 for j in range(i + 1):
                     k[0, i, j] = k[4, i, j]
             for stage in range(1, 4):
-                share = h if stage == 3 else 0.5 * h
+                share = step if stage == 3 else 0.5 * step
                 for i in range(6):
                     for j in range(i + 1):
                         now[i, j] = now[j, i] = P[n, i, j] + share * k[stage - 1, i, j]
@@ -62,16 +63,16 @@ def riccati_kernel() -> Callable:
             for i in range(6):
                 for j in range(i + 1):
                     rise = k[0, i, j] + 2.0 * (k[1, i, j] + k[2, i, j]) + k[3, i, j]
-                    P[n - 2, i, j] = P[n - 2, j, i] = P[n, i, j] + h / 6.0 * rise
+                    P[n - 2, i, j] = P[n - 2, j, i] = P[n, i, j] + step / 6.0 * rise
             slope(P[n - 2], J[n - 2], rows, columns, Q, R, S, W, V, k[4])
             error = 0.0
             for i in range(6):
                 scale[i] = 1.0 / (math.sqrt(abs(P[n - 2, i, i])) + TINY)
                 for j in range(i + 1):
                     error = max(error, abs(k[4, i, j] - k[3, i, j]) * scale[i] * scale[j])
-                    middle = 0.5 * (P[n, i, j] + P[n - 2, i, j]) + 0.125 * h * (k[0, i, j] - k[4, i, j])
+                    middle = 0.5 * (P[n, i, j] + P[n - 2, i, j]) + 0.125 * step * (k[0, i, j] - k[4, i, j])
                     P[n - 1, i, j] = P[n - 1, j, i] = middle
-            worst = max(worst, h / 6.0 * error)
+            worst = max(worst, step / 6.0 * error)
         for n in range(last + 1):
             feedback(P[n], J[n], rows, columns, R, W, V)
             for i in range(6):
@@ -128,11 +129,11 @@ def structure(parameters: HelicopterParameters) -> tuple[np.ndarray, ...]:
 
 
 def integrate(
-    J: np.ndarray, rows: np.ndarray, columns: np.ndarray, Q: np.ndarray, R: np.ndarray, M: np.ndarray, h: float
+    J: np.ndarray, rows: np.ndarray, columns: np.ndarray, Q: np.ndarray, R: np.ndarray, M: np.ndarray, h: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """P (2 N + 1, 6, 6) of (50), K (2, 6, 2 N + 1) of (51), and an upper estimate of the largest relative error.
 
-    Takes N steps of h in s; J (2 N + 1, 6, 8) are the Jacobians of (3).
+    Takes N steps of h (N,) in s; J (2 N + 1, 6, 8) are the Jacobians of (3).
     """
     P, K = np.empty((len(J), 6, 6)), np.empty((2, 6, len(J)))
     P[-1] = M

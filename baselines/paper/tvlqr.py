@@ -13,7 +13,8 @@ from heli_gym.parameters import HelicopterParameters
 from heli_gym.rig import Rig, assumed_rig
 from heli_gym.trajectory import Trajectory
 
-STEP = 0.04  # s, largest step of the Riccati integration; gains are sampled at half steps
+SAMPLE = 0.02  # s, longest time between two samples of the gains
+CORNER = 0.03  # V/s, change of a voltage's slope at which a step of the Riccati integration ends
 STIFF = 1e-4  # estimated relative error of a step above which the stiff integrator is used
 SYMMETRY = 1e-5  # largest relative difference of two entries of a symmetric matrix
 GAUSS = 0.5 - np.sqrt(3.0) / 6.0, 0.5 + np.sqrt(3.0) / 6.0  # nodes of the linearisation within a step
@@ -103,16 +104,26 @@ def riccati_gains(
     parameters = rig.parameters
     M = stationary_cost(reference.x[2, -1], parameters, Q, R) if M is None else check_weight("M", M, 6)
 
-    steps = math.ceil(reference.duration / STEP)
-    t = np.linspace(0.0, reference.duration, 2 * steps + 1)
-    x, u = reference(t)
+    samples = 2 * math.ceil(reference.duration / (2 * SAMPLE))
+    t = np.linspace(0.0, reference.duration, samples + 1)
+    nodes = np.union1d(t, corners(reference))
+    times = np.insert(0.5 * (nodes[:-1] + nodes[1:]), range(len(nodes) - 1), nodes[:-1])  # a step has a middle
+    x, u = reference(np.append(times, nodes[-1]))
     J, rows, columns = jacobians_along(x, np.stack(virtual_input(rig.thrust(u))), parameters)
     with np.errstate(all="ignore"):  # where the weights make (50) stiff, these steps diverge
-        P, K, error = integrate(J, rows, columns, Q, R, M, t[2])
+        P, K, error = integrate(J, rows, columns, Q, R, M, np.diff(nodes))
+    at = 2 * np.searchsorted(nodes, t)
+    P, K, B = P[at], K[:, :, at], J[at, :, 6:]
     if not error < STIFF:
         P = integrate_stiff(reference, rig, Q, R, M, np.linspace(0.0, t[-1], 2 * len(t) - 1))[::2]
-        K = np.moveaxis(np.linalg.inv(R) @ J[:, :, 6:].transpose(0, 2, 1) @ P, 0, -1)
+        K = np.moveaxis(np.linalg.inv(R) @ B.transpose(0, 2, 1) @ P, 0, -1)
     return Gains(t, K, np.moveaxis(P, 0, -1))
+
+
+def corners(reference: Trajectory) -> np.ndarray:
+    """Times in s at which a voltage of the reference changes its slope by more than `CORNER`."""
+    slopes = np.diff(reference.u) / np.diff(reference.t)
+    return reference.t[1:-1][(np.abs(np.diff(slopes)) > CORNER).any(axis=0)]
 
 
 def integrate_stiff(reference, rig, Q, R, M, t) -> np.ndarray:

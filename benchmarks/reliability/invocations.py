@@ -207,9 +207,9 @@ def run(program: str, arguments: list[str], folder: Path, closed: bool = False) 
         return status, out.read().decode("utf-8", "replace"), err.read().decode("utf-8", "replace")
 
 
-def is_accepted(status: int | None) -> bool:
-    """Whether an invocation was not bad after all."""
-    return status in (0, None)
+def is_accepted(status: int | None, said: str) -> bool:
+    """Whether an invocation was not bad after all; the limit of CPU time may also end the worker of a sweep."""
+    return status in (0, None) or "its process was lost" in said
 
 
 def names_cause(arguments: list[str], said: str) -> bool:
@@ -261,7 +261,7 @@ def main(quick: bool, seed: int, only: str) -> int:
                 furnish(folder)
                 before = contents(folder)
                 status, _, said = run(program, arguments, folder, closed=rng.random() < 0.1)
-                if is_accepted(status) and "Traceback" not in said:
+                if is_accepted(status, said) and "Traceback" not in said:
                     accepted.append(" ".join(arguments))
                     continue
                 refused += 1

@@ -157,7 +157,7 @@ def main(quick: bool, seed: int, only: str) -> int:
     check("Jacobians against derivatives in 40 digits", jacobian_error(), 1e-10)
     check("stationary cost against scipy", stationary_error(), 1e-6)
     if not quick:
-        check("gains along the plan against DOP853, relative", gain_error(), 1e-4)
+        check("gains along the plan against DOP853, relative", gain_error(), 1e-6)
     check("energy of a rigid body over 10 s, relative", energy_drift(), 1e-6)
     check("thrusts to virtual inputs and back", fan_error(), 1e-12, unit="N")
     for plant in flights.PLANT_NAMES:

@@ -34,7 +34,7 @@ def test_the_nonzero_entries_are_three_kinematic_and_nine_dynamic_ones():
     assert varying.tolist() == [2, 4, 6]
 
 
-# The corners of the constrained inputs cost the fixed steps some accuracy.
+# The corners of the constrained inputs cost the stiff integrator's fixed steps some accuracy.
 @pytest.mark.parametrize(("reference", "tolerance"), [("unconstrained_plan", 2e-4), ("paper_plan", 1e-3)])
 def test_both_integrations_give_the_same_gains(reference, tolerance, request):
     reference = request.getfixturevalue(reference)
