@@ -176,6 +176,7 @@ def task_of(
     cost_weight: float,
     elevation_weight: float,
     pitch_penalty: float = PITCH_PENALTY,
+    after_crash: bool = False,
 ) -> Task:
     """Common task of all flights of the helicopters, with the policy's base and law.
 
@@ -224,6 +225,7 @@ def task_of(
         np.ascontiguousarray(features[time_features(len(features))].T.astype(np.float32)),
         np.array(settings),
         int(shared.delay) + general,
+        after_crash,
     )
 
 
@@ -274,7 +276,9 @@ class APG:
         max_grad_norm: greatest norm of the clipped gradient.
         cost_weight: weight of the cost in the loss, in degrees of travel error per second.
         elevation_weight: weight of the elevation error in the loss; the travel error has weight 1.
-        pitch_penalty: penalty in 1/(s rad²) of the squared pitch beyond `SAFE_PITCH`; a crash ends a flight's errors.
+        pitch_penalty: penalty in 1/(s rad²) of the squared pitch beyond `SAFE_PITCH`.
+        after_crash: whether a crashed flight counts to the end of the maneuver, as in `Metrics`; otherwise a crash ends
+            its errors and its cost.
         memory: whether the cell remembers; without, only the last action, a feature, comes from the past.
         seed: of the initial weights and of the helicopters.
 
@@ -292,6 +296,7 @@ class APG:
         cost_weight: float = 0.5,
         elevation_weight: float = 1.0,
         pitch_penalty: float = PITCH_PENALTY,
+        after_crash: bool = False,
         memory: bool = True,
         seed: int = 0,
     ) -> None:
@@ -308,6 +313,7 @@ class APG:
             "cost_weight": cost_weight,
             "elevation_weight": elevation_weight,
             "pitch_penalty": pitch_penalty,
+            "after_crash": after_crash,
             "memory": memory,
             "seed": seed,
         }
@@ -315,7 +321,8 @@ class APG:
         self.fleets, self.seed, self.max_grad_norm = fleets, seed, max_grad_norm
         self.envs, self.residual = fleets[0], policies[0]
         self.tasks = [
-            task_of(policy, own, cost_weight, elevation_weight, pitch_penalty) for policy, own in zip(policies, fleets)
+            task_of(policy, own, cost_weight, elevation_weight, pitch_penalty, after_crash)
+            for policy, own in zip(policies, fleets)
         ]
         self.policy = Actor(len(FLIGHT_FEATURES) + self.tasks[0].preview.shape[1], hidden, memory)
         self.optimizer = torch.optim.Adam(self.policy.parameters(), lr=learning_rate)

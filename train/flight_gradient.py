@@ -60,6 +60,7 @@ class Task(NamedTuple):
     preview: np.ndarray  # (T, P), single precision: features that depend on time alone
     settings: np.ndarray  # (len(Settings._fields),)
     delay: int  # control periods; of `fleet` at least one more than any helicopter's
+    after_crash: bool = False  # whether a crashed flight counts to the end, as in `Metrics`, or its errors end with it
 
 
 class Settings(NamedTuple):
@@ -807,8 +808,28 @@ class Rollout:
                 self.action[t + 1], self.alive[t], task.x_ref[t + 1], self.u[t + delay], self.x[t + 1],
                 self.rotors[t + 1], self.measured[t + 1], self.alive[t + 1], sums,
             )  # fmt: skip
+        if task.after_crash:
+            _, lanes, left, error, costs, _ = self.crashes()
+            sums[:2, lanes] += left * error[[0, 2]] ** 2
+            sums[2, lanes] += left * self.settings.period * costs
         travel, elevation = np.degrees(np.sqrt(sums[:2] / T))
         return Outcome(travel, elevation, sums[2], sums[3], 1.0 - self.alive[T])
+
+    def crashes(self) -> tuple[np.ndarray, ...]:
+        """Crashes of the last flights: what they cost to the end of the maneuver, by `metrics.crash_cost`.
+
+        Returns the numbers of control periods (n,) flown, the indices (n,) of the flights, the numbers of periods (n,)
+        missed, the errors (6, n) at the end, and the costs (n,) per second with their derivatives (n,) by the pitch.
+        """
+        T, s = len(self.task.v_ref), self.settings
+        lanes = np.flatnonzero(self.alive[T] == 0.0)
+        ends = self.alive[: T + 1, lanes].sum(axis=0).astype(int)
+        x = self.x[ends, :, lanes]
+        pitch, towards = np.abs(x[:, 4]), np.sign(x[:, 4])
+        limit, width = min(s.pitch_max, -s.pitch_min), s.pitch_max - s.pitch_min
+        worst = max(excess(s.u_low, s.u_min, s.u_max), excess(s.u_high, s.u_min, s.u_max))
+        costs = np.maximum(pitch - limit, 0.0) / width + 2.0 * worst
+        return ends, lanes, T - ends, (x - self.task.x_ref[ends]).T, costs, (pitch > limit) * towards / width
 
     def loss(self, outcome: Outcome) -> float:
         """Mean over the flights of RMS errors in degrees, weighted cost and penalty."""
@@ -836,6 +857,14 @@ class Rollout:
         def zeros(*shape: int) -> np.ndarray:
             return np.zeros(shape, self.dtype)
 
+        at_crash = np.zeros((T + 1, 6, LANES)) if task.after_crash else None
+        if at_crash is not None:
+            ends, lanes, left, error, _, by_pitch = self.crashes()
+            at_crash[ends, 0, lanes] = left * slopes[0, lanes] * error[0]
+            at_crash[ends, 2, lanes] = left * slopes[1, lanes] * error[2]
+            at_crash[ends, 4, lanes] = (
+                left * slopes[2, lanes] * self.settings.period * self.settings.cost_weight * by_pitch
+            )
         d_h, d_features, d_bias = zeros(n, LANES), zeros(N_FLIGHT_FEATURES, LANES), zeros(T, 3 * n)
         d_input, d_product = zeros(3 * n, LANES), zeros(3 * n, LANES)
         g = Weights(*map(np.zeros_like, w))
@@ -843,6 +872,8 @@ class Rollout:
         for t in reversed(range(T)):
             first, second = self.arrivals(t)
             self.drift(t)
+            if at_crash is not None:
+                d_x += at_crash[t + 1]
             d_before, d_motors = d_u[first], d_u[second]
             k.fly_adjoint(
                 s, batch.body, self.x[t], self.rotors[t], self.u[first], self.u[second], self.alive[t],

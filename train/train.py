@@ -99,6 +99,7 @@ class Args:
     cost_weight: float = 0.35  # APG: weight of the cost, in degrees of RMS error per second
     elevation_weight: float = 1.0  # APG: weight of the elevation error; the travel error has weight 1
     pitch_penalty: float = 20.0  # APG: 1/(s rad²), penalty of the squared pitch beyond 63 degrees
+    after_crash: bool = False  # APG: the loss counts a crashed flight to the end of the maneuver
     gamma: float = 0.99  # discount per control period
     gae_lambda: float = 0.97  # PPO: advantage estimate; travel reacts to a voltage after a second
     log_std: float = -2.7  # PPO: initial logarithm of the standard deviation of the exploration weights
@@ -327,6 +328,7 @@ def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
             cost_weight=args.cost_weight,
             elevation_weight=args.elevation_weight,
             pitch_penalty=args.pitch_penalty,
+            after_crash=args.after_crash,
             memory=args.memory,
             seed=args.seed,
         )

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 
 torch = pytest.importorskip("torch")
 
@@ -11,18 +11,18 @@ from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
 from heli_gym.env import find_reference, reference_for  # noqa: E402
 from heli_gym.plant import Plant, Push, Sensors  # noqa: E402
 from heli_gym.train.apg import AHEAD, SINGLE_GROUPS, Actor, batch_of, network_of, task_of, weights_of  # noqa: E402
-from heli_gym.train.flight_gradient import LANES, N_FLIGHT_FEATURES, Rollout, Weights  # noqa: E402
+from heli_gym.train.flight_gradient import LANES, N_FLIGHT_FEATURES, Rollout, Settings, Weights  # noqa: E402
 from heli_gym.vector_env import Heli3DOFVectorEnv  # noqa: E402
 
-SHORT = find_reference("climb-7.5")
+SHORT, LONG = find_reference("climb-7.5"), find_reference("travel-360")
 COUNTS = slice(2, 5)
 
 
 ON_FLEET = reference_for("climb-7.5", "fleet")
 
 
-def residual_policy(network=None, scale=4.0, plant="lab", law="saturated"):
-    reference = ON_FLEET if plant == "fleet" else SHORT
+def residual_policy(network=None, scale=4.0, plant="lab", law="saturated", reference=SHORT):
+    reference = ON_FLEET if plant == "fleet" else reference
     base = make_policy("feedforward+tvlqr" if plant == "fleet" else "feedforward+tvlqr@lab", reference)
     limits = reference.rig.voltage_limits
     return ResidualPolicy(
@@ -81,6 +81,53 @@ def test_the_gradient_is_that_of_central_differences_where_sensors_are_smooth(pl
         assert (up - down) / (2.0 * step) == pytest.approx(
             (slope * direction).sum(), rel=1e-3 if plant == "fleet" else 2e-4, abs=1e-6
         ), name
+
+
+@pytest.mark.parametrize("after_crash", [False, True])
+def test_the_gradient_is_that_of_central_differences_where_flights_crash(after_crash):
+    task = task_of(residual_policy(), helicopters(), 0.5, 1.0, after_crash=after_crash)
+    task = task._replace(
+        v_ref=task.v_ref[:40], gains=task.gains[:40], x_ref=task.x_ref[:41], preview=task.preview[:40].astype(float)
+    )
+    batch = batch_of(helicopters(), 0)
+    batch.body[COUNTS] = 0.0
+    weights, rollout = random_weights(task, 5, float), Rollout(task, 5, np.float64)
+    rollout.forward(weights, batch)
+    limit = np.median(np.abs(rollout.x[1:, 4]).max(axis=0))
+    for name, value in {"pitch_limit": limit, "pitch_min": -0.5 * limit, "pitch_max": 0.5 * limit}.items():
+        task.settings[Settings._fields.index(name)] = value
+    rollout = Rollout(task, 5, np.float64)
+    outcome = rollout.forward(weights, batch)
+    assert 10 < outcome.crashed.sum() < LANES
+    gradient = rollout.backward(outcome)
+    rng, step = np.random.default_rng(1), 1e-6
+    for name, value, slope in zip(Weights._fields, weights, gradient):
+        direction = rng.standard_normal(value.shape)
+        up, down = (
+            rollout.loss(rollout.forward(weights._replace(**{name: value + sign * step * direction}), batch))
+            for sign in (1.0, -1.0)
+        )
+        assert (up - down) / (2.0 * step) == pytest.approx((slope * direction).sum(), rel=1e-3, abs=1e-6), name
+
+
+def test_after_a_crash_the_loss_counts_what_the_metrics_do():
+    envs = Heli3DOFVectorEnv(LANES, "lab", LONG, start_spread_deg=5.0)
+    policy = residual_policy(still, scale=0.0, reference=LONG)
+    rollout = Rollout(task_of(policy, envs, 0.5, 1.0, after_crash=True), 3, np.float64)
+    nothing = Weights(*map(np.zeros_like, random_weights(rollout.task, 3, float)))
+    outcome = rollout.forward(nothing, batch_of(envs, 7))
+    metrics = [
+        flight_metrics(flight, LONG, envs.voltage_limits, envs.pitch_limit) for flight in fly_many(envs, policy, 7)
+    ]
+    assert_array_equal(outcome.crashed, [m.crashed for m in metrics])
+    assert 0 < outcome.crashed.sum() < LANES
+    assert_allclose(outcome.cost, [m.cost for m in metrics], atol=1e-8)
+    # the metrics also count the error at the start
+    T = len(rollout.task.v_ref)
+    start = np.degrees(rollout.x[0] - rollout.task.x_ref[0][:, None])
+    for k, rms in enumerate((outcome.travel_deg, outcome.elevation_deg)):
+        expected = np.array([m.rms_error_deg[k] for m in metrics])
+        assert_allclose(np.sqrt((T * rms**2 + start[2 * k] ** 2) / (T + 1)), expected, atol=1e-8)
 
 
 def flown(weights, hidden, policy, seed, plant="lab"):
