@@ -31,6 +31,7 @@ LADDER = (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.5)  # s beyond the requested du
 REST = 3  # coefficients at each end, fixed by its position with zero velocity and acceleration
 SMOOTH, SOONEST = 1e-3, 1e-6  # final barrier parameter: smoothest plan, which seldom touches limits; fastest plan
 COLD, LUKEWARM, WARM = 0.1, 1e-2, 1e-3  # initial one: from a guess, from a solution of another or of the same problem
+OVER_FLOOR = 1e-6  # likewise of the smoothest plan with a floor, which a larger one would repel
 EXACT = 1e-4  # final barrier parameter for the exactly smoothest plan, as a share of its roughness
 EFFORT, EFFORT_ROUGHNESS = 10.0, 1e-4  # weights of the squared distance from hover thrusts, and of smoothness
 STEEPEST = 0.5 * math.pi  # rad, of any elevation
@@ -220,7 +221,11 @@ def refined(spline: Spline) -> Spline:
 
 def smoothest(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = COLD) -> Spline | None:
     """Smoothest transition in the maneuver's duration, from a guess; None without convergence."""
-    return optimise(maneuver, start, bounds, float(maneuver.duration), (1.0, 0.0, 0.0), barrier, SMOOTH)
+    for last in (SMOOTH,) if maneuver.floor is None else (OVER_FLOOR, SMOOTH):
+        found = optimise(maneuver, start, bounds, float(maneuver.duration), (1.0, 0.0, 0.0), barrier, last)
+        if found is not None:
+            return found
+    return None
 
 
 def exactly_smoothest(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = COLD) -> Spline | None:
