@@ -42,6 +42,7 @@ ROUGHNESS = 3.4e-5  # s, weight of smoothness (integral of squared rates, in thr
 TOLERANCE = 1e-7  # rad/s² and N
 ITERATIONS = {"fixed": 200, "fastest": 1000}
 DENSE_ITERATIONS = 300  # for the refinement of a fastest plan with a floor or a limit on the travel rate
+LEAD_ROUGHNESS = 1e-4  # s/N², likewise for voltages that lead
 SWING = 0.8  # pitch amplitude of the guess, as a share of the pitch limit
 EASY = 2.0  # ratio of the search's initial duration to a rough bound for travel alone
 STRETCHES = (1.0, 1.6, 0.7, 1.25, 2.5, 4.0)  # factors on that duration, tried until one gives a plan
@@ -253,6 +254,8 @@ def fastest(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = 
 
 def fastest_weights(maneuver: Maneuver) -> tuple[float, float, float]:
     """Weights of the fastest plan; that of smoothness is relative to the thrust range, which differs between rigs."""
+    if maneuver.lead:  # rates of thrusts are part of the voltages
+        return LEAD_ROUGHNESS, 1.0, 0.0
     low, high = maneuver.rig.thrust_bounds(maneuver.limits.u)
     return ROUGHNESS / (high - low) ** 2, 1.0, 0.0
 
