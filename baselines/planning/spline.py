@@ -619,7 +619,7 @@ def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline,
         start, barrier, found = guess(maneuver, duration, SHORTEST_SEGMENTS[0]), COLD, None
         for segments in SHORTEST_SEGMENTS[: 2 if is_dense else 3]:
             check()
-            iterations = DENSE_ITERATIONS if is_dense and found is not None else None
+            iterations: int | None = DENSE_ITERATIONS if is_dense and found is not None else None
             while len(start.coefficients) - REST < segments:  # twice where the number before gave no plan
                 start = refined(start)
             if found is None and is_fast_limited:
