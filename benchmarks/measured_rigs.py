@@ -81,25 +81,24 @@ def errors(reference: Trajectory, flight: Trajectory) -> str:
 
 @styled
 def picture(cases: dict[str, tuple[Trajectory, dict[str, list[Trajectory]]]]) -> Figure:
-    """Slowest plans (black), flights on draws of the own plant (blue) and of `fleet` (red); a column for each rig."""
+    """Slowest plans (dashed), flights on draws of the own plant (blue) and of `fleet` (red); a column for each rig."""
     figure = Figure(figsize=(2.9 * len(cases), 7.6))
     panels = figure.subplots(4, len(cases), sharex="col", squeeze=False)
     for column, (name, (reference, flown)) in zip(panels.T, cases.items()):
         quantities = (
             ("travel (deg)", lambda f: np.degrees(f.x[0])),
-            ("elevation (deg)", lambda f: np.degrees(f.x[2])),
+            ("elevation (deg, positive down)", lambda f: np.degrees(f.x[2])),
             ("pitch (deg)", lambda f: np.degrees(f.x[4])),
             ("front motor (V)", lambda f: f.u[0]),
         )
         for axes, (label, values) in zip(column, quantities):
+            axes.set_ylabel(label if name == next(iter(cases)) else "")
             for where, colour, alpha in (("fleet", RED, 0.15), ("draws of it", BLUE, 0.25)):
                 for i, flight in enumerate(flown[where][:30]):
                     axes.plot(flight.t, values(flight), color=colour, alpha=alpha, linewidth=0.8,
                               label=None if i else where)  # fmt: skip
             axes.plot(reference.t, values(reference), color=INK, linestyle="--", linewidth=1.2, label="plan")
             axes.set_xlim(0.0, reference.duration)
-            if column is panels.T[0]:
-                axes.set_ylabel(label)
         for limit in reference.rig.voltage_limits:
             column[3].axhline(limit, color="0.5", linewidth=0.8)
         for limit in (-1.0, 1.0):

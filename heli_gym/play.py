@@ -20,7 +20,7 @@ from heli_gym.cli import command, print_version
 from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.model import fan_thrusts, hover_input, inverse_dynamics, linearise, thrust_vector
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.rendering import check_display, load_pygame
+from heli_gym.rendering import has_display, load_pygame
 from heli_gym.rig import PAPER, Rig
 from heli_gym.task import TOLERANCE
 from heli_gym.validation import real_array, shown
@@ -178,7 +178,10 @@ def fly(env: gym.Env, seed: int | None = None) -> None:
     Raises gymnasium.error.DependencyNotInstalled without pygame, ValueError without a display.
     """
     actions, rest = mapping(env)
-    check_display(load_pygame(), "window")
+    pygame = load_pygame()
+    if not has_display(pygame):
+        pygame.display.quit()
+        raise ValueError("window: must have a display, and there is none here")
     with warnings.catch_warnings(action="ignore"):  # from matplotlib without Tk, although nothing is plotted
         from gymnasium.utils.play import play  # imports pygame
 
