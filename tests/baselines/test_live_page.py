@@ -19,7 +19,13 @@ const open = async () => page.evaluate(() => document.querySelectorAll("details"
   part.removeAttribute("name");
   part.open = true;
 }));
-const toEnd = async () => { await page.locator(".plot").first().focus(); await page.keyboard.press("End"); };
+// words and clocks follow with the next frame
+const drawn = () => page.evaluate(() => new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(go))));
+const toEnd = async () => {
+  await page.locator(".plot").first().focus();
+  await page.keyboard.press("End");
+  await drawn();
+};
 const text = (selector) => page.locator(selector).textContent();
 const done = async (task) => page.locator(`.task:has([data-task=${task}]) .goals li`).evaluateAll(
   (goals) => goals.map((goal) => goal.classList.contains("done")));
@@ -327,7 +333,7 @@ def test_plots_and_the_3d_view_are_used_by_keyboard_and_described_in_words(page)
         await page.addStyleTag({content: ".live .view { height: 200px !important }"});
         await page.locator(".plot").first().focus();
         await page.keyboard.press("Home");
-        for (let k = 0; k < 5; k++) await page.keyboard.press("Shift+ArrowRight");
+        for (let k = 0; k < 5; k++) { await page.keyboard.press("Shift+ArrowRight"); await drawn(); }
         const plot = page.locator(".plot").first();
         const words = await plot.getAttribute("aria-valuetext");
         const clock = await text(".clock");

@@ -488,7 +488,7 @@ def test_a_slider_changes_the_flight_and_a_missing_plan_is_reported(page, papers
     (time, travel), (later_time, slower) = seen["references"]
     assert abs(travel - np.degrees(papers_plan(time)[0][0])) < 6.0  # the clock shows tenths
     assert slower < 0.7 * np.degrees(papers_plan(later_time)[0][0])
-    assert "8.5 s" in seen["message"]
+    assert "8.30 s" in seen["message"]
     assert "none below 10.0 s" in seen["message"]
     assert "splines takes 8.30 s" in seen["message"]
     assert seen["disabled"]
