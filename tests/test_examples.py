@@ -15,7 +15,7 @@ RUNS = [
     *(("stable_baselines3", "sb3_ppo.py", ["--steps", "256", "--form", form], "s on the reference")
       for form in ("make", "make_vec_env", "native")),
     ("torchrl", "torchrl_ppo.py", ["--steps", "500"], "reward"),
-    ("ray.rllib", "rllib_ppo.py", ["--steps", "512"], "return"),
+    ("tree", "rllib_ppo.py", ["--steps", "512"], "return"),
     ("skrl", "skrl_ppo.py", ["--steps", "512"], ""),
     ("osqp", "course_tasks.py", ["--rig", "ntnu", "--draws", "1"], "plan and TV-LQR"),
     ("minari", "minari_dataset.py", ["--steps", "300", "--id", "helicopter/test-v0"], "1 episodes, 300 steps"),
