@@ -17,13 +17,11 @@ from threadpoolctl import threadpool_limits
 
 from heli_gym.baselines.control.residual import (
     CELL,
-    FLIGHT_FEATURES,
-    SINGLE_GROUPS,
     Network,
     RecurrentNetwork,
     ResidualPolicy,
-    time_features,
 )
+from heli_gym.baselines.control.residual_step import FLIGHT_FEATURES, SINGLE_GROUPS, time_features
 from heli_gym.baselines.control.tracking import TrackingPolicy
 from heli_gym.plant import ThrustDrift
 from heli_gym.rigid_body import RigidBodyParameters

@@ -33,7 +33,6 @@ from heli_gym.baselines.control.policies import POLICIES, make_policy
 from heli_gym.baselines.control.residual import (
     AHEAD,
     FEATURE_GROUPS,
-    SINGLE_GROUPS,
     Learned,
     Network,
     RecurrentNetwork,
@@ -41,6 +40,7 @@ from heli_gym.baselines.control.residual import (
     load_learned,
     save_learned,
 )
+from heli_gym.baselines.control.residual_step import SINGLE_GROUPS
 from heli_gym.baselines.control.weights import weights_file
 from heli_gym.baselines.evaluation.metrics import HALVING_ERROR, Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many

@@ -14,20 +14,21 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from hashlib import sha256
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from heli_gym.baselines.control.model_based import ModelPolicy
 from heli_gym.baselines.control.protocol import Policy, StatefulPolicy, expand_batch_dims, step_index
-from heli_gym.baselines.control.tracking import TrackingPolicy
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.rig import PAPER, Rig, check_same_rig
 from heli_gym.storage import atomic_write, read_json_object
 from heli_gym.task import TOLERANCE, control_grid
-from heli_gym.thrust_map import PowerCurve
 from heli_gym.trajectory import Trajectory
 from heli_gym.validation import is_number
+
+if TYPE_CHECKING:
+    from heli_gym.baselines.control.residual_step import SingleStep
 
 LEARNED = Path(__file__).parent / "learned"  # packaged policies: the first seed of each plant
 LAWS = ("sum", "saturated")
@@ -41,8 +42,6 @@ FEATURE_GROUPS = {
     "preview": "of the reference, now and ahead",
     "past": "errors of the angles, and corrections",
 }
-SINGLE_GROUPS = ("error", "voltages", "preview")  # in the order of the features
-FLIGHT_FEATURES = (*range(8), 10, 11)  # indices in SINGLE_GROUPS; the other features depend on time alone
 STATE_SCALE = np.array([math.pi, 1.0, 0.2, 0.5, 1.0, 2.0])  # rad and rad/s, scales of the previewed reference
 DISTURBANCE_SCALE, INTEGRAL_SCALE, FEATURE_CLIP = 0.2, 0.1, 5.0  # rad/s², rad s, bound of all features
 
@@ -122,8 +121,11 @@ class ResidualPolicy:
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
         measurement = np.asarray(measurement, dtype=float)
         if self.memory is None and measurement.ndim == 1 and np.ndim(t) == 0:
-            if self.single_step is None and SingleStep.serves(self):
-                self.single_step = SingleStep(self)
+            if self.single_step is None:
+                from heli_gym.baselines.control.residual_step import SingleStep  # which imports this module
+
+                if SingleStep.serves(self):
+                    self.single_step = SingleStep(self)
             if self.single_step is not None:
                 return self.single_step(float(t), measurement)
         u_base, features = self.observe(t, measurement)
@@ -200,120 +202,6 @@ class ResidualPolicy:
             self.memory.hidden,
         )
         return u
-
-
-def voltage_of(curve: PowerCurve, f: float) -> float:
-    """`curve.voltage` for one thrust f in N, without numpy."""
-    k = curve.k_plus if f >= 0.0 else curve.k_minus
-    if f == 0.0 or k == 0.0:
-        return 0.0
-    ratio = f / k
-    beyond = (math.sqrt(ratio) if curve.exponent == 2.0 else ratio ** (1.0 / curve.exponent)) + curve.dead_zone
-    return beyond if f >= 0.0 else -beyond
-
-
-def time_features(features: int) -> list[int]:
-    """Indices of the features of `SINGLE_GROUPS`, `features` in all, that depend on time alone."""
-    return [k for k in range(features) if k not in FLIGHT_FEATURES]
-
-
-class SingleStep:
-    """Control step of one helicopter, several times faster than the general one and equal to it to rounding.
-
-    It serves recurrent corrections, with the feature groups of `SINGLE_GROUPS`, of a feedforward with state feedback.
-    Products with features of time alone are computed beforehand; the memory of the flight is in arrays of its own.
-
-    Args:
-        policy: policy whose step is computed.
-    """
-
-    def __init__(self, policy: ResidualPolicy) -> None:
-        base, network = policy.base, policy.network
-        assert isinstance(base, TrackingPolicy)  # `serves`
-        T, n, F = policy.x.shape[1], network.size, network.weight_input.shape[1]
-        seen, timed = list(FLIGHT_FEATURES), time_features(F)
-        voltages = normalise_voltage(policy.u, policy.voltage_limits)
-        values = np.clip(np.concatenate((voltages, policy.preview)), -FEATURE_CLIP, FEATURE_CLIP)
-        bias = network.bias_input[:, None] + network.weight_input[:, timed] @ values
-        bias[: 2 * n] += network.bias_hidden[: 2 * n, None]
-        # The states of the cell and its inputs stand in one vector, so that each step has one product for both gates,
-        # and half of their arguments, because sigmoid(x) = 0.5 + 0.5 tanh(0.5 x).
-        both = np.concatenate((network.weight_hidden[: 2 * n], network.weight_input[: 2 * n, seen]), axis=1)
-        self.gate_weights, self.gate_bias = 0.5 * both, 0.5 * np.ascontiguousarray(bias[: 2 * n].T)
-        self.new_weights, self.new_bias = (
-            np.ascontiguousarray(network.weight_input[2 * n :, seen]),
-            bias[2 * n :].T.copy(),
-        )
-        self.old_weights, self.old_bias = (
-            np.ascontiguousarray(network.weight_hidden[2 * n :]),
-            network.bias_hidden[2 * n :],
-        )
-        (self.head,), (self.head_bias,) = network.head.weights, network.head.biases
-        self.x, self.v = np.ascontiguousarray(base.x.T), np.ascontiguousarray(base.v.T)
-        self.gains = np.ascontiguousarray(base.gains.transpose(2, 0, 1))
-        self.tolerance, self.last, self.period = np.array(TOLERANCE), T - 1, policy.control_period
-        self.scale, (self.low, self.high) = policy.scale, policy.voltage_limits
-        front, back = base.rig.thrust_map.front, base.rig.thrust_map.back
-        assert isinstance(front, PowerCurve) and isinstance(back, PowerCurve)  # `serves`
-        self.front, self.back = front, back
-        self.input = np.zeros(n + 10)
-        self.hidden, self.features = self.input[:n], self.input[n:]
-        self.gates, self.reset_gate, self.update = (gates := np.empty(2 * n)), gates[:n], gates[n:]
-        self.new, self.old = np.empty(n), np.empty(n)
-
-    @staticmethod
-    def serves(policy: ResidualPolicy) -> bool:
-        """Whether the policy has this form."""
-        network, base = policy.network, policy.base
-        return (
-            isinstance(network, RecurrentNetwork)
-            and isinstance(base, TrackingPolicy)
-            and all(isinstance(curve, PowerCurve) for curve in (base.rig.thrust_map.front, base.rig.thrust_map.back))
-            and tuple(group for group in FEATURE_GROUPS if group in policy.feature_groups) == SINGLE_GROUPS
-            and policy.law == "saturated"
-            and len(network.head.weights) == 1
-            and network.head.tanh_output
-            and policy.scale > 0.0
-        )
-
-    def reset(self) -> None:
-        """Clear the memory of the last flight."""
-        self.input[:] = 0.0
-
-    def __call__(self, t: float, measurement: np.ndarray) -> np.ndarray:
-        """Voltages (2,) in V for a measured state (6,)."""
-        k = min(round(t / self.period), self.last)
-        low, high, features = self.low, self.high, self.features
-        error = measurement - self.x[k]
-        v1, v2 = (self.v[k] - self.gains[k] @ error).tolist()
-        front, back = voltage_of(self.front, 0.5 * (v1 + v2)), voltage_of(self.back, 0.5 * (v1 - v2))
-        np.divide(error, self.tolerance, out=features[:6])
-        features[6] = (front - 0.5 * (low + high)) / (0.5 * (high - low))
-        features[7] = (back - 0.5 * (low + high)) / (0.5 * (high - low))
-        np.minimum(features, FEATURE_CLIP, out=features)
-        np.maximum(features, -FEATURE_CLIP, out=features)
-        gates, update, new, old, hidden = self.gates, self.update, self.new, self.old, self.hidden
-        np.dot(self.gate_weights, self.input, out=gates)
-        gates += self.gate_bias[k]
-        np.tanh(gates, out=gates)
-        gates += 1.0
-        gates *= 0.5
-        np.dot(self.old_weights, hidden, out=old)
-        old += self.old_bias
-        old *= self.reset_gate
-        np.dot(self.new_weights, features, out=new)
-        new += self.new_bias[k]
-        new += old
-        np.tanh(new, out=new)
-        hidden -= new
-        hidden *= update
-        hidden += new
-        action = np.tanh(self.head @ hidden + self.head_bias)
-        features[8:] = action
-        a_front, a_back = action.tolist()
-        return np.array(
-            (min(max(front, low), high) + self.scale * a_front, min(max(back, low), high) + self.scale * a_back)
-        )
 
 
 @dataclass(frozen=True)
