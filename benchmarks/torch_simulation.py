@@ -1,4 +1,4 @@
-"""Speed of the torch simulation on a device, beside the compiled kernels on one core.
+"""Speed of the torch simulation on a device, and of the compiled kernels on one core.
 
     python benchmarks/torch_simulation.py [--device cuda]
 

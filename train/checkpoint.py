@@ -67,7 +67,7 @@ def read_checkpoint(path: Path) -> dict[str, Any]:
     except OSError as error:
         raise ValueError(f"checkpoint {path}: {error}") from error
     if sha256(data).hexdigest() != digest:
-        raise ValueError(f"checkpoint {path} is damaged: its SHA-256 is not the one beside it")
+        raise ValueError(f"checkpoint {path} is damaged: its SHA-256 is not the one stored with it")
     length = int.from_bytes(data[:8], "little")
     return join(json.loads(json.loads(data[8 : 8 + length])["__metadata__"]["tree"]), load(data))
 

@@ -55,7 +55,7 @@ class Regulator:
         lagging: whether the gains act on the rotor speeds too.
         integrating: whether the gains act on the integrals too.
         accommodates: whether pitch and thrusts of the reference balance the estimated disturbance.
-        pitch_limits: (min, max) in rad of the accommodated reference.
+        pitch_limits: (min, max) in rad of the reference that balances the estimated disturbance.
     """
 
     x: np.ndarray

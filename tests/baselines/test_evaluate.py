@@ -107,12 +107,12 @@ def test_a_summary_is_the_mean_and_an_interval_around_it(results):
                 assert np.any(high > low)
 
 
-def test_the_papers_numbers_stand_beside_ours(results):
+def test_the_papers_numbers_stand_with_ours(results):
     assert results["paper"]
     for statement in results["paper"]:
         assert set(statement) == {"what", "paper", "here"}
-    beside = {statement["what"]: (statement["paper"], statement["here"]) for statement in results["paper"]}
-    [(paper, here)] = [pair for what, pair in beside.items() if "(43)" in what]
+    both = {statement["what"]: (statement["paper"], statement["here"]) for statement in results["paper"]}
+    [(paper, here)] = [pair for what, pair in both.items() if "(43)" in what]
     assert float(paper.split()[0]) == pytest.approx(float(here.split()[0]), abs=0.01)
 
 
@@ -209,7 +209,7 @@ def test_bad_input_is_refused_with_a_message_that_names_it_and_nothing_is_writte
 
 
 def test_an_out_that_is_a_file_is_refused_with_a_message_that_names_it(tmp_path, monkeypatch):
-    monkeypatch.setattr(evaluate, "PAPER_PERIOD", 0.02)  # sooner told
+    monkeypatch.setattr(evaluate, "PAPER_PERIOD", 0.02)  # takes less time
     out = tmp_path / "file"
     out.write_text("precious")
     with pytest.raises(SystemExit, match=r"heli-evaluate: .*file"):

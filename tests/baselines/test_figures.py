@@ -199,11 +199,11 @@ def test_rounding_errors_do_not_fill_a_panel():
     assert low <= -1.0 and high >= 1.0
 
 
-@pytest.mark.parametrize("limits, beside", [(Limits(), True), (LIMITS, False)])
-def test_the_paper_s_numbers_stand_beside_its_own_limits_only(limits, beside):
+@pytest.mark.parametrize("limits, expected", [(Limits(), True), (LIMITS, False)])
+def test_the_paper_s_numbers_stand_with_its_own_limits_only(limits, expected):
     figure = figures.input_constraints(limits, PARAMETERS)
     texts = [axes.get_title() for axes in figure.axes] + [text.get_text() for text in figure.legends[0].get_texts()]
-    assert ("paper" in " ".join(texts)) == beside
+    assert ("paper" in " ".join(texts)) == expected
 
 
 @pytest.fixture

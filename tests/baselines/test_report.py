@@ -26,7 +26,7 @@ SEED = 3
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """An evaluation with a report; the exact flights at 20 ms, which is sooner told."""
+    """An evaluation with a report; the exact flights at 20 ms, which takes less time."""
     folder = tmp_path_factory.mktemp("evaluated")
     with pytest.MonkeyPatch.context() as patch, redirect_stdout(StringIO()):
         patch.setattr(evaluate, "PAPER_PERIOD", 0.02)

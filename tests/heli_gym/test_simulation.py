@@ -164,7 +164,7 @@ def test_plants_delays_and_references_may_differ_from_helicopter_to_helicopter()
         outputs = together.step(action)[2]
         for j, alone in enumerate(apart):
             alone.step(action[j : j + 1])
-            # a lag-free plant takes shorter steps beside one with lag
+            # a plant without lag takes shorter steps when one with lag flies with it
             assert_allclose(outputs[X : X + 6, j], alone.rows(X, 6)[:, 0], rtol=0.0, atol=1e-9)
             assert outputs[TIME, j] == 0.02 * alone.record().step[0]
 
@@ -222,7 +222,7 @@ def test_sine_and_cosine_are_exact_to_two_units_in_the_last_place(ours, exact):
     x = np.concatenate((rng.uniform(-1e5, 1e5, 200000), rng.uniform(-4.0, 4.0, 200000), near, [0.0, -0.0]))
     compiled = kernels.compiler_of(np.float64, motion.equation_3, motion.step_equation_3).part(ours)
     outputs, right = np.array([compiled(v) for v in x]), exact(x)
-    # beside a zero of the function, what is left of the reduction counts
+    # near a zero of the function, what is left of the reduction counts
     assert (np.abs(outputs - right) <= 2.0 * np.spacing(np.abs(right)) + 1e-20).all()
 
 
