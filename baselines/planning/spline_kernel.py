@@ -383,9 +383,9 @@ def assemble(
             if rows[q, 0] == SLEW or rows[q, 0] == LEAD:
                 k = rows[q, 1]
                 scale = targets[q] if rows[q, 0] == LEAD else 1.0
-                pulled = scale * on_rows[q] * root / (tau[k // 2 + 1] - tau[k // 2])
-                on_thrusts[k + 2] += pulled + (on_rows[q] if rows[q, 0] == LEAD else 0.0)
-                on_thrusts[k] -= pulled
+                by_rate = scale * on_rows[q] * root / (tau[k // 2 + 1] - tau[k // 2])
+                on_thrusts[k + 2] += by_rate + (on_rows[q] if rows[q, 0] == LEAD else 0.0)
+                on_thrusts[k] -= by_rate
     ss, gs = 0.5 * time_weight / s**2, 0.0
     border[:] = 0.0
     decay, advance = arrival(T, damping)
@@ -1146,47 +1146,9 @@ def thrusts_along(y, dy, ddy, parameters):
 CAREFUL = (solve, schur_step, newton_step, factorise, barrier, dual_step, duals, kkt_residual)
 
 
-def run(
-    c,
-    s,
-    w,
-    held,
-    travel,
-    low,
-    high,
-    rows,
-    targets,
-    vias,
-    floor,
-    parameters,
-    weights,
-    is_free,
-    mu,
-    last_mu,
-    tolerance,
-    iterations,
-):
+def run(*arguments):
     """Call `solve` from a compiled entry point, so that `solve` itself is compiled without fast-math."""
-    return solve(
-        c,
-        s,
-        w,
-        held,
-        travel,
-        low,
-        high,
-        rows,
-        targets,
-        vias,
-        floor,
-        parameters,
-        weights,
-        is_free,
-        mu,
-        last_mu,
-        tolerance,
-        iterations,
-    )
+    return solve(*arguments)
 
 
 @cache
