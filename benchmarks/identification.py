@@ -7,7 +7,7 @@ Parts:
     rigs         each rig from the first 60 % of all of its logs, judged on the rest
     logs         each log alone
     without-rig  like rigs, with a prior made of the other rigs, and a search for the filter's settings from one value
-    whole        fitted to the whole of each log and judged on the same rest, in-sample, with those of rigs; the model alone
+    whole        fitted to the whole of each log and judged on the same rest, in-sample, and rigs again; the model alone
     ablation     effects added one by one, and all but one: degrees of the model alone
     parameters   of each rig from the first 60 % of its logs, with standard errors; b1 to b3 per N
     drift        thrust lost in 20 s: slope of the filter's lasting acceleration of elevation, over a2

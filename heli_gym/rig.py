@@ -560,7 +560,7 @@ class _RigFile:
         """Value in rad of a key in rad, or in degrees if the key ends in `_deg`; None without the key."""
         in_degrees = f"{key}_deg"
         if key in data and in_degrees in data:
-            raise ValueError(f"line {self.line(in_degrees, table)}: {in_degrees!r}: must not stand with {key!r}, of which it is another form")
+            raise ValueError(f"line {self.line(in_degrees, table)}: {in_degrees!r}: must not stand with {key!r}")
         if in_degrees in data:
             value = data[in_degrees]
             require(f"line {self.line(in_degrees, table)}: {in_degrees}", value, True, "a number of degrees")
