@@ -22,13 +22,13 @@ from scipy.optimize import fsolve
 
 from heli_gym import Maneuver, Trajectory, linearise, thrust
 from heli_gym.baselines import InfeasibleManeuver, ManeuverSampler, plan, riccati_gains
-from heli_gym.baselines.commands.compare_planners import multiple_shooting
 from heli_gym.baselines.paper.boundary_value import COARSE, MAX_NODES, ConstrainedProblem, Solution, solve_unconstrained
 from heli_gym.baselines.paper.riccati import integrate, jacobians_along
 from heli_gym.baselines.paper.shooting import shooter, solve_by_shooting, solve_near, unconstrained_guess
 from heli_gym.baselines.paper.tvlqr import Q, R, integrate_stiff, stationary_cost
 from heli_gym.baselines.planning import spline
 from heli_gym.baselines.planning.collocation import collocate
+from heli_gym.baselines.planning.other_solvers import multiple_shooting
 from heli_gym.model import virtual_input
 
 REPLAN_LEFT = 10.5, 9.0, 7.0, 5.0, 3.0, 1.5, 1.0, 0.5  # s
