@@ -54,7 +54,6 @@ from heli_gym.trajectory import Maneuver, Trajectory
 
 Part = Literal["robustness", "shortest", "trade-off", "methods", "reserve", "constraints", "objectives", "solvers"]
 
-PITCH_TOLERANCE = 1e-4  # rad; within a sample, a thrust map bends the linear voltages
 TO_SPARE = 1.1  # times collocation's shortest duration
 DURATIONS = 0.8, 2.0  # range of random durations, times collocation's shortest
 HOVER_MARGIN = 0.05  # least distance of hover from both ends of the thrust window, as a share of it
@@ -276,7 +275,7 @@ def meets_its_limits(maneuver: Maneuver, trajectory: Trajectory) -> bool:
         np.abs(flown[:, -1] - [travel, 0.0, elevation, 0.0, 0.0, 0.0]).max() <= ARRIVAL_TOLERANCE
         and (flown[:, 0] == [maneuver.start[0], 0.0, maneuver.start[1], 0.0, 0.0, 0.0]).all()
         and limits.u_min - LIMIT_TOLERANCE <= trajectory.u.min() <= trajectory.u.max() <= limits.u_max + LIMIT_TOLERANCE
-        and limits.pitch_min - PITCH_TOLERANCE <= flown[4].min() <= flown[4].max() <= limits.pitch_max + PITCH_TOLERANCE
+        and limits.pitch_min - LIMIT_TOLERANCE <= flown[4].min() <= flown[4].max() <= limits.pitch_max + LIMIT_TOLERANCE
         and times[-1] == maneuver.duration
     )
 
