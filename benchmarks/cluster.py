@@ -1,7 +1,7 @@
 """Faults and speed of `heli-sweep` on a Ray cluster of two nodes on this machine.
 
     python benchmarks/cluster.py            # faults, then times; some five minutes on two idle cores
-    python benchmarks/cluster.py --short    # faults, with smaller trials
+    python benchmarks/cluster.py --short    # faults, with fewer trials
     python benchmarks/cluster.py --timing   # times only
 
 Trains a small study without Ray. Then trains it on the cluster, while it kills a worker in mid-trial, removes a node
@@ -47,21 +47,23 @@ validation = 4
 seed = {seeds}
 """
 PATIENCE = 300.0  # s
+TRIAL = 10.0  # s, about
 COMMAND = "from heli_gym import cli\nif __name__ == '__main__':\n    cli.run('heli-sweep')\n"
 
 
-def until(condition: Callable[[], Any], wanted: str) -> Any:
-    """Wait for a condition and return its value. Raises TimeoutError that names it."""
-    end = time.monotonic() + PATIENCE
-    while time.monotonic() < end:
-        if value := condition():
-            return value
-        time.sleep(0.05)
-    raise TimeoutError(f"{wanted}: not within {PATIENCE:g} s")
+def add_node(nodes: Any) -> Any:
+    """Add a node with one core to the cluster. Ray waits 30 s for its start, which a loaded machine may exceed."""
+    for attempt in range(3):
+        try:
+            return nodes.add_node(num_cpus=1, object_store_memory=OBJECT_STORE)
+        except Exception as error:
+            if attempt == 2:
+                raise
+            print(f"a node did not start, once more: {error}", flush=True)
 
 
 @contextmanager
-def cluster(folder: Path) -> Iterator[Any]:
+def cluster() -> Iterator[Any]:
     """Cluster of two nodes with one core each; all its processes end with the context."""
     import_ray()
     from ray.cluster_utils import Cluster
@@ -71,7 +73,7 @@ def cluster(folder: Path) -> Iterator[Any]:
     head = {"num_cpus": 1, "object_store_memory": OBJECT_STORE, "include_dashboard": False, "temp_dir": temporary}
     nodes = Cluster(initialize_head=True, head_node_args=head)
     try:
-        nodes.add_node(num_cpus=1, object_store_memory=OBJECT_STORE)
+        add_node(nodes)
         yield nodes
     finally:
         nodes.shutdown()
@@ -95,10 +97,26 @@ class Command:
         self.arguments += ["--engine", "ray", "--address", address, "--checkpoint-seconds", "0", "--resume"]
         self.log = folder / "log.txt"
 
-    def start(self) -> subprocess.Popen:
+    def start(self) -> None:
         """Start or resume."""
         with open(self.log, "ab") as log:
-            return subprocess.Popen(self.arguments, stdout=log, stderr=log)
+            self.process = subprocess.Popen(self.arguments, stdout=log, stderr=log)
+
+    def kill(self) -> None:
+        """End the process without warning."""
+        self.process.kill()
+        self.process.wait()
+
+    def until(self, condition: Callable[[], Any], wanted: str) -> Any:
+        """Wait for a condition while the command runs, and return its value. Raises TimeoutError or RuntimeError."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            if value := condition():
+                return value
+            if self.process.poll() is not None:
+                raise RuntimeError(f"{wanted}: not before the end of heli-sweep\n{self.log.read_text()}")
+            time.sleep(0.05)
+        raise TimeoutError(f"{wanted}: not within {PATIENCE:g} s\n{self.log.read_text()}")
 
 
 def disturb(folder: Path, store: Store) -> int:
@@ -109,32 +127,30 @@ def disturb(folder: Path, store: Store) -> int:
         names = [name.split("/") for name in store.names("unfinished")]
         return {key for _, key, file in names if int(Path(file).stem) >= least}
 
-    with cluster(folder) as nodes:
+    with cluster() as nodes:
         command = Command(folder, nodes.address)
-        child = command.start()
+        command.start()
         try:
-            until(lambda: len(underway(2)) >= 2, "two trials in progress")
             first, second = nodes.list_all_nodes()
-            killed = until(lambda: workers(first), "a worker on the first node")[0]
+            running = command.until(lambda: underway(2) and workers(second) and workers(first), "trials on both nodes")
+            killed = running[0]
             os.kill(killed, signal.SIGKILL)
             print(f"killed worker {killed} in mid-trial", flush=True)
-            until(lambda: len(underway(3)) >= 2 and workers(second), "a trial on the second node")
+            command.until(lambda: workers(second), "a trial on the second node")
             nodes.remove_node(second, allow_graceful=False)
             print("removed the second node with its trial", flush=True)
-            third = nodes.add_node(num_cpus=1, object_store_memory=OBJECT_STORE)
-            until(lambda: workers(third), "a trial on the new node")
+            third = add_node(nodes)
+            command.until(lambda: workers(third), "a trial on the new node")
             print("added a node, which runs a trial", flush=True)
-            until(lambda: read_records(store) and underway(2), "a finished trial and one in progress")
-            child.send_signal(signal.SIGKILL)
-            child.wait()
+            command.until(lambda: read_records(store) and underway(2), "a finished trial and one in progress")
+            command.kill()
             finished = len(read_records(store))
             print(f"killed heli-sweep after {finished} finished trials", flush=True)
-            child = command.start()
-            if child.wait(PATIENCE):
+            command.start()
+            if command.process.wait(PATIENCE):
                 raise RuntimeError(command.log.read_text())
         finally:
-            child.kill()
-            child.wait()
+            command.kill()
     return finished
 
 
@@ -157,8 +173,23 @@ def compare(undisturbed: Store, disturbed: Store) -> list[str]:
     return differences
 
 
-def check_faults(folder: Path, steps: int, trials: int) -> None:
-    """Train a study undisturbed and disturbed, and compare. Ends with status 1 for a difference."""
+def steps_of(folder: Path, seconds: float) -> int:
+    """Number of steps that a trial takes in this time on this machine, after the kernels are compiled."""
+    steps = 4096
+    (folder / "calibration.toml").write_text(STUDY.format(steps=steps, seeds=[0, 1]))
+    for trial in trials_of(read_study(folder / "calibration.toml")):
+        begun = time.perf_counter()
+        run_trial(order_of(trial, Store(str(folder / "calibration")), 30.0))
+        duration = time.perf_counter() - begun
+    return max(2, int(seconds / duration)) * steps
+
+
+def check_faults(folder: Path, trials: int) -> None:
+    """Train a study undisturbed and disturbed, and compare. Ends with status 1 for a difference.
+
+    A trial takes longer than the start of a worker, so that every fault meets trials in progress.
+    """
+    steps = steps_of(folder, TRIAL)
     (folder / "study.toml").write_text(STUDY.format(steps=steps, seeds=list(range(trials))))
     undisturbed, disturbed = Store(str(folder / "undisturbed")), Store(str(folder / "disturbed"))
     begun = time.perf_counter()
@@ -216,13 +247,13 @@ def time_trials(folder: Path, steps: int, count: int) -> None:
 def main() -> None:
     """Disturb, compare, and time."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--short", action="store_true", help="faults only, with smaller trials")
+    parser.add_argument("--short", action="store_true", help="faults only, with fewer trials")
     parser.add_argument("--timing", action="store_true", help="times only")
     chosen = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # so that the cluster ends too
     with tempfile.TemporaryDirectory(prefix="heli-cluster-") as name:
         if not chosen.timing:
-            check_faults(Path(name), *((16 * 1024, 3) if chosen.short else (40 * 1024, 6)))
+            check_faults(Path(name), 5 if chosen.short else 8)
         if not chosen.short:
             time_trials(Path(name), 10 * 1024, 4)
 

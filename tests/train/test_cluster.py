@@ -18,4 +18,4 @@ def test_the_disturbed_study_has_the_weights_of_the_undisturbed_one():
     assert run.returncode == 0, run.stdout + run.stderr
     for words in ("killed worker", "removed the second node", "added a node", "killed heli-sweep after"):
         assert words in run.stdout
-    assert run.stdout.splitlines()[-1].startswith("nothing lost, nothing twice: 3 trials")
+    assert run.stdout.splitlines()[-1].startswith("nothing lost, nothing twice: 5 trials")
