@@ -10,7 +10,6 @@ folder stay. Studies in results/studies, of `heli-tune --study`, give the second
 
 import argparse
 import csv
-import io
 import json
 import subprocess
 import sys
@@ -39,7 +38,7 @@ from heli_gym.baselines.evaluation.statistics import (
 )
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.parameters import Limits
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, to_csv
 
 ROOT = Path(__file__).parents[1]
 TABLE, STUDIES = ROOT / "results" / "leaderboard.csv", ROOT / "results" / "studies"
@@ -247,12 +246,8 @@ def print_step_times(policy: str, flights: int = 10) -> None:
 
 def write_csv(path: Path, rows: Sequence[dict[str, Any]]) -> None:
     """Write rows as CSV with four digits."""
-    text = io.StringIO()
-    writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows({k: f"{v:.4g}" if isinstance(v, float) else v for k, v in row.items()} for row in rows)
     with atomic_write(path) as file:
-        file.write(text.getvalue().encode())
+        file.write(to_csv([{k: f"{v:.4g}" if isinstance(v, float) else v for k, v in row.items()} for row in rows]))
 
 
 def tables(rows: Sequence[dict[str, str]]) -> str:

@@ -19,8 +19,6 @@ half of their range, or 0.3 of the default spread, whichever is largest; the def
 """
 
 import argparse
-import csv
-import io
 import tempfile
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
@@ -44,7 +42,7 @@ from heli_gym.baselines.identification.prediction import (
     tune,
     validate,
 )
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, to_csv
 
 Row = dict[str, Any]
 Rigs = dict[str, list[FlightLog]]
@@ -331,16 +329,6 @@ def cell(value: Any) -> str:
     return "" if value is None else f"{value:.2f}" if isinstance(value, float) else str(value)
 
 
-def write(path: Path, rows: list[Row]) -> None:
-    """Write rows as CSV."""
-    text = io.StringIO()
-    writer = csv.DictWriter(text, rows[0])
-    writer.writeheader()
-    writer.writerows(rows)
-    with atomic_write(path) as file:
-        file.write(text.getvalue().encode())
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="+", choices=PARTS)
@@ -355,7 +343,8 @@ def main() -> None:
         for row in PARTS[part](rigs, args.only):
             rows.append(row)
             if args.out:
-                write(args.out / f"{part}.csv", rows)
+                with atomic_write(args.out / f"{part}.csv") as file:
+                    file.write(to_csv(rows))
             if len(rows) == 1:
                 print(f"\n{part}\n\n| {' | '.join(row)} |\n{'|---' * len(row)}|")
             print(f"| {' | '.join(map(cell, row.values()))} |", flush=True)

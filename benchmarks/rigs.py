@@ -9,8 +9,6 @@ typed here again, by a Runge-Kutta method with steps of 0.25 ms.
 """
 
 import argparse
-import csv
-import io
 import math
 import time
 from collections.abc import Iterator
@@ -25,7 +23,7 @@ from numba import njit
 from heli_gym import HelicopterParameters, Limits, Maneuver, PowerCurve, Rig, TableCurve, ThrustMap
 from heli_gym.baselines import InfeasibleManeuver, plan, plan_fastest
 from heli_gym.rig import Masses, coefficients_from_masses
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, to_csv
 
 TIMES_FASTEST = (1.02, 1.1, 2.0)
 LONGEST = 600.0  # s, given to the search for the fastest plan
@@ -243,15 +241,8 @@ def main() -> None:
             rows.append(row)
             if not row["planned"] or not row["good"]:
                 print(row, flush=True)
-    names = ("rig", "kind", "maneuver", "factor", "planned", "good", "duration", "seconds")
-    names += ("missed", "excess", "late", "reason")
-    text = io.StringIO()
-    writer = csv.DictWriter(text, names)
-    writer.writeheader()
-    writer.writerows(rows)
-    args.out.parent.mkdir(parents=True, exist_ok=True)
     with atomic_write(args.out) as file:
-        file.write(text.getvalue().encode())
+        file.write(to_csv(rows))
     print(f"{args.rigs} rigs from seed {args.seed} on; {args.out}")
     print("| duration | planned | pass the check | largest miss | largest excess | median s | longest s |")
     print("|---|---|---|---|---|---|---|")

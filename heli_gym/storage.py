@@ -1,6 +1,8 @@
 """Atomic writes of files, locks for files that are read, changed and written back, and readers of untrusted files."""
 
+import csv
 import errno
+import io
 import json
 import math
 import os
@@ -8,7 +10,7 @@ import secrets
 import tempfile
 import tomllib
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -132,6 +134,15 @@ def check_folder(name: str, path: str | os.PathLike) -> None:
             os.fsync(probe.fileno())
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from error
+
+
+def to_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
+    """Rows as CSV, under every name that one of them has."""
+    text = io.StringIO()
+    writer = csv.DictWriter(text, list(dict.fromkeys(name for row in rows for name in row)), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return text.getvalue().encode()
 
 
 MOST_BYTES = 2**28  # of all arrays in an .npz file

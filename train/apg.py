@@ -210,18 +210,18 @@ def task_of(
     policy.reset(np.random.default_rng(0))
     low, high = envs.voltage_limits
     limits = policy.reference.limits
-    settings = Settings(
-        envs.control_period, low, high, envs.pitch_limit, *limits.u, *limits.pitch,
-        float(np.exp(-envs.control_period / first.sensors.rate_filter)), policy.scale,
-        curve.k_plus, curve.k_minus, cost_weight, elevation_weight,
-        *((low, high) if policy.law == "saturated" else (-UNBOUNDED, UNBOUNDED)), curve.exponent, pitch_penalty,
+    bounds = (low, high) if policy.law == "saturated" else (-UNBOUNDED, UNBOUNDED)
+    decay = np.exp(-envs.control_period / first.sensors.rate_filter)
+    settings = (
+        envs.control_period, low, high, envs.pitch_limit, *limits.u, *limits.pitch, decay, policy.scale, curve.k_plus,
+        curve.k_minus, cost_weight, elevation_weight, *bounds, curve.exponent, pitch_penalty,
     )  # fmt: skip
     return Task(
         np.ascontiguousarray(base.x.T),
         np.ascontiguousarray(base.v.T[:T]),
         np.ascontiguousarray(base.gains.transpose(2, 0, 1)[:T]),
         np.ascontiguousarray(features[time_features(len(features))].T.astype(np.float32)),
-        np.array(settings),
+        Settings(*map(float, settings)),
         int(shared.delay) + general,
         after_crash,
     )

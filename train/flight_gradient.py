@@ -11,6 +11,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
+from numba.np.unsafe.ndarray import to_fixed_tuple
 from numpy import cos, floor, sin
 
 from heli_gym.baselines.control.residual import FEATURE_CLIP
@@ -51,20 +52,8 @@ FLEET = ZEROS + 3  # number of rows
 LEAST_SPEED = 0.2  # V
 
 
-class Task(NamedTuple):
-    """Common data of all flights, in arrays over T control periods."""
-
-    x_ref: np.ndarray  # (T + 1, 6)
-    v_ref: np.ndarray  # (T, 2), N
-    gains: np.ndarray  # (T, 2, 6)
-    preview: np.ndarray  # (T, P), single precision: features that depend on time alone
-    settings: np.ndarray  # (len(Settings._fields),)
-    delay: int  # control periods; of `fleet` at least one more than any helicopter's
-    after_crash: bool = False  # whether a crashed flight counts to the end, as in `Metrics`, or its errors end with it
-
-
 class Settings(NamedTuple):
-    """Settings of a task; the kernels receive them as an array."""
+    """Settings of a task, all of them floats; the kernels receive them as an array, whose dispatch is faster."""
 
     period: float  # s
     u_low: float  # V, the amplifier's limits
@@ -84,6 +73,21 @@ class Settings(NamedTuple):
     base_high: float
     exponent: float  # nominal, of the thrust map
     pitch_penalty: float = PITCH_PENALTY
+
+
+FIELDS = len(Settings._fields)
+
+
+class Task(NamedTuple):
+    """Common data of all flights, in arrays over T control periods."""
+
+    x_ref: np.ndarray  # (T + 1, 6)
+    v_ref: np.ndarray  # (T, 2), N
+    gains: np.ndarray  # (T, 2, 6)
+    preview: np.ndarray  # (T, P), single precision: features that depend on time alone
+    settings: Settings
+    delay: int  # control periods; of `fleet` at least one more than any helicopter's
+    after_crash: bool = False  # whether a crashed flight counts to the end, as in `Metrics`, or its errors end with it
 
 
 class Weights(NamedTuple):
@@ -132,6 +136,11 @@ def inside(value: Any, low: Any, high: Any) -> Any:
     return 1.0 if low < value < high else 0.0
 
 
+def settings_of(settings: Any) -> Settings:
+    """Settings from an array (FIELDS,)."""
+    return Settings(*to_fixed_tuple(settings, FIELDS))  # type: ignore[call-arg]
+
+
 def base_voltage(f: Any, s: Settings) -> Any:
     """Voltage in V for a thrust f in N by (2), without numpy: `model.voltage` for the compiler."""
     root = (abs(f) / (s.k_plus if f >= 0.0 else -s.k_minus)) ** 0.5
@@ -159,7 +168,7 @@ def observe(
     measured: Any, x_ref: Any, v_ref: Any, gains: Any, settings: Any, last: Any, base: Any, features: Any
 ) -> None:
     """Write the unsaturated base voltages (2, LANES), by (51), and the flight features (N_FLIGHT_FEATURES, LANES)."""
-    s = Settings(*settings_of(settings))
+    s = settings_of(settings)
     middle, half = 0.5 * (s.u_low + s.u_high), 0.5 * (s.u_high - s.u_low)
     for i in range(LANES):
         v1, v2 = v_ref[0], v_ref[1]
@@ -180,7 +189,7 @@ def observe_adjoint(
     d_last: Any,
 ) -> None:  # fmt: skip
     """Adjoint of `observe`: adds to d_measured and sets d_last."""
-    s = Settings(*settings_of(settings))
+    s = settings_of(settings)
     middle, half = 0.5 * (s.u_low + s.u_high), 0.5 * (s.u_high - s.u_low)
     for i in range(LANES):
         d_front = d_base[0, i] + d_features[6, i] / half * inside(
@@ -513,7 +522,7 @@ def fly(
 
     The motors receive the voltages `before` in the first part of the period and `motors` in the second.
     """
-    s = Settings(*settings_of(settings))
+    s = settings_of(settings)
     for i in range(LANES):
         front = clip(clip(base[0, i], s.base_low, s.base_high) + s.scale * action[0, i], s.u_low, s.u_high)
         back = clip(clip(base[1, i], s.base_low, s.base_high) + s.scale * action[1, i], s.u_low, s.u_high)
@@ -555,7 +564,7 @@ def fly_adjoint(
     Adds to d_before and d_motors, which may be the same. `slopes` (3, LANES) are the derivatives of the loss with
     respect to half the sums of squared travel and elevation errors, and to cost and penalty.
     """
-    s = Settings(*settings_of(settings))
+    s = settings_of(settings)
     for i in range(LANES):
         on = alive[i]
         # loss at the end of the period
@@ -601,7 +610,7 @@ def fly_adjoint(
 def command_adjoint(settings: Any, base: Any, action: Any, alive: Any, u: Any, weight: Any, d_u: Any, d_action: Any,
                     d_base: Any) -> None:  # fmt: skip
     """Write d_action and d_base from d_u, the loss's derivative by the commanded voltages; the cost is added here."""
-    s = Settings(*settings_of(settings))
+    s = settings_of(settings)
     for motor in range(2):
         for i in range(LANES):
             beyond = alive[i] * weight[i] * s.period * s.cost_weight * excess_slope(u[motor, i], s.u_min, s.u_max)
@@ -610,30 +619,6 @@ def command_adjoint(settings: Any, base: Any, action: Any, alive: Any, u: Any, w
             d *= inside(whole, s.u_low, s.u_high)
             d_action[motor, i] = s.scale * d
             d_base[motor, i] = d * inside(base[motor, i], s.base_low, s.base_high)
-
-
-def settings_of(a: Any) -> Any:
-    """Unpack the array of `Settings` to a tuple."""
-    return (
-        a[0],
-        a[1],
-        a[2],
-        a[3],
-        a[4],
-        a[5],
-        a[6],
-        a[7],
-        a[8],
-        a[9],
-        a[10],
-        a[11],
-        a[12],
-        a[13],
-        a[14],
-        a[15],
-        a[16],
-        a[17],
-    )
 
 
 # Elementwise part of the GRU cell.
@@ -743,7 +728,6 @@ class Rollout:
     def __init__(self, task: Task, hidden: int, dtype: type = np.float32) -> None:
         T, n = len(task.v_ref), hidden
         self.task, self.hidden, self.dtype = task, n, dtype
-        self.settings = Settings(*task.settings.tolist())
 
         def double(*shape: int) -> np.ndarray:
             return np.zeros((*shape, LANES))
@@ -777,11 +761,12 @@ class Rollout:
     def drift(self, t: int) -> None:
         """Set the share of the thrust that is left in a control period."""
         if self.batch.drift is not None:
-            self.batch.body[EFFECT] = 1.0 - self.batch.drift * (t + 0.5) * self.settings.period
+            self.batch.body[EFFECT] = 1.0 - self.batch.drift * (t + 0.5) * self.task.settings.period
 
     def forward(self, weights: Weights, batch: Batch) -> Outcome:
         """Fly the batch."""
         k, task, s = self.kernels(batch), self.task, self.task.settings
+        settings = np.array(s)
         T, delay = len(task.v_ref), task.delay
         self.batch, self.weights = batch, weights
         self.x[0], self.measured[0], self.rotors[0], self.alive[0] = batch.x, batch.measured, batch.u, 1.0
@@ -790,7 +775,7 @@ class Rollout:
         sums = np.zeros((4, LANES))
         for t in range(T):
             k.observe(
-                self.measured[t], task.x_ref[t], task.v_ref[t], task.gains[t], s, self.action[t], self.base[t],
+                self.measured[t], task.x_ref[t], task.v_ref[t], task.gains[t], settings, self.action[t], self.base[t],
                 self.features[t],
             )  # fmt: skip
             np.matmul(weights.hidden, self.h[t], out=self.from_hidden)
@@ -804,14 +789,14 @@ class Rollout:
             before, motors = (self.u[where] for where in self.arrivals(t))
             self.drift(t)
             k.fly(
-                s, batch.body, self.x[t], self.rotors[t], before, motors, self.measured[t], self.base[t],
+                settings, batch.body, self.x[t], self.rotors[t], before, motors, self.measured[t], self.base[t],
                 self.action[t + 1], self.alive[t], task.x_ref[t + 1], self.u[t + delay], self.x[t + 1],
                 self.rotors[t + 1], self.measured[t + 1], self.alive[t + 1], sums,
             )  # fmt: skip
         if task.after_crash:
             _, lanes, left, error, costs, _ = self.crashes()
             sums[:2, lanes] += left * error[[0, 2]] ** 2
-            sums[2, lanes] += left * self.settings.period * costs
+            sums[2, lanes] += left * s.period * costs
         travel, elevation = np.degrees(np.sqrt(sums[:2] / T))
         return Outcome(travel, elevation, sums[2], sums[3], 1.0 - self.alive[T])
 
@@ -821,7 +806,7 @@ class Rollout:
         Returns the numbers of control periods (n,) flown, the indices (n,) of the flights, the numbers of periods (n,)
         missed, the errors (6, n) at the end, and the costs (n,) per second with their derivatives (n,) by the pitch.
         """
-        T, s = len(self.task.v_ref), self.settings
+        T, s = len(self.task.v_ref), self.task.settings
         lanes = np.flatnonzero(self.alive[T] == 0.0)
         ends = self.alive[: T + 1, lanes].sum(axis=0).astype(int)
         x = self.x[ends, :, lanes]
@@ -833,20 +818,20 @@ class Rollout:
 
     def loss(self, outcome: Outcome) -> float:
         """Mean over the flights of RMS errors in degrees, weighted cost and penalty."""
-        s = self.settings
+        s = self.task.settings
         each = outcome.travel_deg + s.elevation_weight * outcome.elevation_deg + s.cost_weight * outcome.cost
         return float((each + outcome.penalty).mean())
 
     def backward(self, outcome: Outcome) -> Weights:
         """Gradient of `loss` for the flights of the last `forward`."""
         task, s, w, batch = self.task, self.task.settings, self.weights, self.batch
-        k = self.kernels(batch)
+        k, settings = self.kernels(batch), np.array(s)
         T, n, delay = len(task.v_ref), self.hidden, task.delay
         squares = np.radians(1.0) ** 2 * T * LANES  # d rms / d (sum / 2), rms in degrees
         slopes = np.stack(
             (
                 1.0 / (squares * np.maximum(outcome.travel_deg, 0.02)),
-                self.settings.elevation_weight / (squares * np.maximum(outcome.elevation_deg, 0.02)),
+                s.elevation_weight / (squares * np.maximum(outcome.elevation_deg, 0.02)),
                 np.full(LANES, 1.0 / LANES),
             )
         )
@@ -862,9 +847,7 @@ class Rollout:
             ends, lanes, left, error, _, by_pitch = self.crashes()
             at_crash[ends, 0, lanes] = left * slopes[0, lanes] * error[0]
             at_crash[ends, 2, lanes] = left * slopes[1, lanes] * error[2]
-            at_crash[ends, 4, lanes] = (
-                left * slopes[2, lanes] * self.settings.period * self.settings.cost_weight * by_pitch
-            )
+            at_crash[ends, 4, lanes] = left * slopes[2, lanes] * s.period * s.cost_weight * by_pitch
         d_h, d_features, d_bias = zeros(n, LANES), zeros(N_FLIGHT_FEATURES, LANES), zeros(T, 3 * n)
         d_input, d_product = zeros(3 * n, LANES), zeros(3 * n, LANES)
         g = Weights(*map(np.zeros_like, w))
@@ -876,13 +859,13 @@ class Rollout:
                 d_x += at_crash[t + 1]
             d_before, d_motors = d_u[first], d_u[second]
             k.fly_adjoint(
-                s, batch.body, self.x[t], self.rotors[t], self.u[first], self.u[second], self.alive[t],
+                settings, batch.body, self.x[t], self.rotors[t], self.u[first], self.u[second], self.alive[t],
                 task.x_ref[t + 1], self.x[t + 1], slopes, d_x, d_rotors, d_measured, d_before, d_motors,
             )  # fmt: skip
             if batch.delay is not None:  # otherwise these are views
                 d_u[first], d_u[second] = d_before, d_motors
             k.command_adjoint(
-                s, self.base[t], self.action[t + 1], self.alive[t], self.u[t + delay], slopes[2], d_u[t + delay],
+                settings, self.base[t], self.action[t + 1], self.alive[t], self.u[t + delay], slopes[2], d_u[t + delay],
                 d_action, d_base,
             )  # fmt: skip
             d_output = ((d_action + d_last) * (1.0 - self.action[t + 1] ** 2)).astype(self.dtype)
@@ -897,8 +880,9 @@ class Rollout:
             d_h += hidden_t @ d_product
             np.matmul(seen_t, d_input, out=d_features)
             k.observe_adjoint(
-                task.x_ref[t], task.gains[t], s, self.measured[t], self.base[t], d_features, d_base, d_measured, d_last
-            )
+                task.x_ref[t], task.gains[t], settings, self.measured[t], self.base[t], d_features, d_base, d_measured,
+                d_last,
+            )  # fmt: skip
         g.preview[:] = d_bias.T @ task.preview
         g.input_bias[:] = d_bias.sum(axis=0)
         return g

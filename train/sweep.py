@@ -15,8 +15,6 @@ holds
     summary.csv               means over seeds, with intervals
 """
 
-import csv
-import io
 import json
 import os
 import platform
@@ -42,7 +40,7 @@ from rich.table import Table
 from heli_gym.baselines.evaluation.engine import Engine, EngineName, check_engine, open_engine
 from heli_gym.baselines.evaluation.statistics import with_interval
 from heli_gym.cli import command, parse
-from heli_gym.storage import try_lock
+from heli_gym.storage import to_csv, try_lock
 from heli_gym.train import train
 from heli_gym.train.store import Store, scratch_folder
 from heli_gym.train.study import (
@@ -381,21 +379,11 @@ def summarise(records: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     return rows
 
 
-def write_csv(store: Store, name: str, rows: Sequence[dict[str, Any]]) -> None:
-    """Write rows as CSV."""
-    text = io.StringIO()
-    names = list(dict.fromkeys(name for row in rows for name in row))
-    writer = csv.DictWriter(text, names, lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    store.write(name, text.getvalue().encode())
-
-
 def write_tables(store: Store, records: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     """Write trials.csv and summary.csv, and return the rows of the summary."""
     summary = summarise(records)
-    write_csv(store, "trials.csv", rows_of(records))
-    write_csv(store, "summary.csv", summary)
+    store.write("trials.csv", to_csv(rows_of(records)))
+    store.write("summary.csv", to_csv(summary))
     return summary
 
 

@@ -1,7 +1,5 @@
 """Scores of policies: many episodes on common draws, one row per flight."""
 
-import csv
-import io
 import os
 from collections.abc import Iterable, Sequence
 from typing import Any, overload
@@ -16,7 +14,7 @@ from heli_gym.baselines.evaluation.statistics import mean_with_interval, rank_cr
 from heli_gym.env import Heli3DOFEnv, find_reference, reference_for
 from heli_gym.plant import HELD_OUT_SEED, Plant
 from heli_gym.rig import Rig
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, to_csv
 from heli_gym.trajectory import Trajectory
 from heli_gym.validation import shown
 from heli_gym.vector_env import Heli3DOFVectorEnv
@@ -74,12 +72,8 @@ class FlightTable(Sequence[dict[str, Any]]):
 
     def to_csv(self, path: str | os.PathLike) -> None:
         """Write the rows as CSV, atomically."""
-        text = io.StringIO()
-        writer = csv.DictWriter(text, list(self.rows[0]) if self.rows else [], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(self.rows)
         with atomic_write(path) as file:
-            file.write(text.getvalue().encode())
+            file.write(to_csv(self.rows))
 
     def __repr__(self) -> str:
         if not self.rows:

@@ -20,7 +20,6 @@ from heli_gym.train.flight_gradient import (  # noqa: E402
     N_FLIGHT_FEATURES,
     Batch,
     Rollout,
-    Settings,
     Weights,
 )
 from heli_gym.vector_env import Heli3DOFVectorEnv  # noqa: E402
@@ -113,9 +112,9 @@ def test_the_gradient_is_that_of_central_differences_where_flights_crash(after_c
     batch.body[COUNTS] = 0.0
     weights, rollout = random_weights(task, 5, float), Rollout(task, 5, np.float64)
     rollout.forward(weights, batch)
-    limit = np.median(np.abs(rollout.x[1:, 4]).max(axis=0))
-    for name, value in {"pitch_limit": limit, "pitch_min": -0.5 * limit, "pitch_max": 0.5 * limit}.items():
-        task.settings[Settings._fields.index(name)] = value
+    limit = float(np.median(np.abs(rollout.x[1:, 4]).max(axis=0)))
+    settings = task.settings._replace(pitch_limit=limit, pitch_min=-0.5 * limit, pitch_max=0.5 * limit)
+    task = task._replace(settings=settings)
     rollout = Rollout(task, 5, np.float64)
     outcome = rollout.forward(weights, batch)
     assert 10 < outcome.crashed.sum() < LANES
