@@ -11,7 +11,7 @@ import numpy as np
 
 from heli_gym import Maneuver, Trajectory
 from heli_gym.baselines import plan, plan_fastest
-from heli_gym.baselines.commands.compare_planners import random_maneuver
+from heli_gym.baselines.evaluation.planner_comparison import random_maneuver
 from heli_gym.baselines.planning.collocation import import_casadi
 from heli_gym.baselines.planning.path import path_limits
 from heli_gym.model import dynamics, hover_input

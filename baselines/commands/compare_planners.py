@@ -4,27 +4,21 @@ Direct collocation from a straight line is the benchmark: it makes few assumptio
 its duration is only the best known bound. Scipy integrates (3) along every plan to check it.
 """
 
-import csv
 import importlib
 import importlib.util
-import io
 import math
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any, Literal
 
-import gymnasium as gym
 import numpy as np
 from rich.console import Console
 from rich.progress import track
 from rich.table import Table
-from scipy.integrate import solve_ivp
-from scipy.stats import binomtest
 
-from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.evaluation import figures
 from heli_gym.baselines.evaluation.engine import (
     Engine,
@@ -35,34 +29,36 @@ from heli_gym.baselines.evaluation.engine import (
     progress_bar,
     track_results,
 )
-from heli_gym.baselines.evaluation.metrics import flight_metrics
-from heli_gym.baselines.evaluation.rollout import fly
-from heli_gym.baselines.planning.collocation import collocate, collocated_trajectory
-from heli_gym.baselines.planning.feasibility import ARRIVAL_TOLERANCE, LIMIT_TOLERANCE, InfeasibleManeuver
+from heli_gym.baselines.evaluation.planner_comparison import (
+    constrained_maneuver,
+    effort,
+    flights,
+    meets_its_limits,
+    plan_measures,
+    random_maneuver,
+    shortest_known,
+    success_interval,
+    time_planner,
+)
+from heli_gym.baselines.planning.collocation import collocated_trajectory
 from heli_gym.baselines.planning.other_solvers import multiple_shooting, plan_by_bvp, plan_by_do_mpc
-from heli_gym.baselines.planning.path import check_ends
 from heli_gym.baselines.planning.planner import FASTEST, plan, plan_fastest
-from heli_gym.baselines.planning.spline import easy_duration
 from heli_gym.cli import announce_replaced, command, parse
-from heli_gym.model import dynamics, hover_input, virtual_input
 from heli_gym.on_rig import plant_on_rig
 from heli_gym.parameters import Limits
-from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.rig import PAPER, Rig, find_rig
-from heli_gym.storage import atomic_write, check_folder
+from heli_gym.storage import atomic_write, check_folder, to_csv
 from heli_gym.trajectory import Maneuver, Trajectory
 
 Part = Literal["robustness", "shortest", "trade-off", "methods", "reserve", "constraints", "objectives", "solvers"]
 
 TO_SPARE = 1.1  # times collocation's shortest duration
 DURATIONS = 0.8, 2.0  # range of random durations, times collocation's shortest
-HOVER_MARGIN = 0.05  # least distance of hover from both ends of the thrust window, as a share of it
 WINDOWS = ((0.0, 12.0), (1.0, 11.0), (2.0, 10.5), (3.0, 10.0))  # V
 PITCH_LIMITS_DEG = range(10, 81, 5)
 RESERVES = 0.0, 0.1, 0.2, 0.3, 0.4, 0.45
 MORE_TIME = 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35
 LEISURE = 12.0  # s; every method can plan the paper's maneuver in this time
-START_SPREAD_DEG = 5.0
 CONSTRAINED_RIGS = "paper", "ntnu", "quanser"
 COLLOCATION_TIME = 60.0  # s, limit for one maneuver
 OBJECTIVE_DURATIONS = 10.0, 12.0  # s
@@ -85,71 +81,6 @@ class Args:
     address: str | None = None  # Ray cluster, HOST:PORT or auto; by default one is started on this machine
     workers: int = 1  # number of processes; several distort the computing times
     out: Path = Path("out/planners")
-
-
-def random_maneuver(rng: np.random.Generator, rig: Rig = PAPER) -> Maneuver:
-    """Draw a maneuver: travel up to 720°, pitch limits of 10° to 80°, voltage windows and feasible elevations.
-
-    The voltage windows include hover; for the paper's rig they begin at 0 to 4 V and end at 9 to 12 V.
-    """
-    parameters = rig.parameters
-    pitch = min(math.radians(rng.uniform(10.0, 80.0)), rig.pitch_limit)
-    lowest, highest = rig.voltage_limits
-    u_min = rng.uniform(lowest, lowest + (highest - lowest) / 3.0)
-    u_max = rng.uniform(highest - (highest - lowest) / 4.0, highest)
-    limits = Limits(u_min, u_max, -pitch, pitch)
-    least, most = rig.thrust_bounds(limits.u)
-    low, high = 2.0 * least, 2.0 * most
-    elevations = np.radians(np.linspace(-60.0, 60.0, 1201))
-    share = (hover_input(elevations, parameters)[0] - low) / (high - low)
-    held = elevations[(share > HOVER_MARGIN) & (share < 1.0 - HOVER_MARGIN)]
-    start, goal = rng.uniform(held[0], held[-1], 2)
-    travel = math.radians(rng.uniform(-720.0, 720.0))
-    maneuver = Maneuver((0.0, start), (travel, goal), 1.0, limits, rig=rig)
-    return replace(maneuver, duration=2.0 * easy_duration(maneuver))
-
-
-def constrained_maneuver(rng: np.random.Generator, rig: Rig) -> Maneuver:
-    """Draw a maneuver with some of: bump, elevation window, rates, slew, via point, free elevation, motion, lead."""
-    own, table = rig.limits, rig.table_elevation
-    while True:
-        travel, (low, high) = rng.uniform(1.0, 7.0) * rng.choice([-1.0, 1.0]), rng.uniform(-0.12, 0.12, 2)
-        has = dict(
-            zip(("floor", "window", "rates", "slew", "via", "free", "start", "goal", "lead"), rng.random(9) < 0.3)
-        )
-        limits: dict[str, float] = {}
-        if has["window"]:
-            limits |= {"elevation_min": min(low, high) - 0.06, "elevation_max": max(low, high) + 0.06}
-        if has["rates"]:
-            limits |= {"travel_rate": rng.uniform(0.6, 1.5), "elevation_rate": rng.uniform(0.1, 0.4)}
-        if has["slew"] and not has["lead"]:
-            limits["slew"] = rng.uniform(0.4, 3.0) * (own.u_max - own.u_min)
-        floor = None
-        if has["floor"]:
-            at = np.sort([0.0, travel]) @ np.array([[1.0], [0.0]]) + np.linspace(0.0, abs(travel), 201)
-            height, width = rng.uniform(0.1, 0.25), rng.uniform(0.3, 0.8)
-            below = max(low, high, 0.0) + 0.1
-            floor = at, below - (below - min(low, high, 0.0) + height) * np.exp(-(((at - travel / 2.0) / width) ** 2))
-        moving = np.array([travel, 0.3, high, 0.03, 0.1, 0.0]) * [1.0, np.sign(travel), 1.0, 1.0, 1.0, 1.0]
-        via = ((None, 0.5 * travel, min(low, high) - 0.05),) if has["via"] and not has["floor"] else ()
-        try:
-            maneuver = Maneuver(
-                (0.0, low),
-                (travel, None if has["free"] and not has["goal"] else high),  # type: ignore[arg-type]
-                1.0,
-                replace(own, **limits),
-                rig=rig,
-                floor=floor,
-                start_state=(0.0, 0.2, low, 0.0, -0.05, 0.0) if has["start"] and not has["lead"] else None,
-                goal_state=tuple(moving) if has["goal"] else None,
-                via=via,
-                lead=bool(has["lead"]),
-            )
-            check_ends(maneuver)
-        except ValueError:
-            continue
-        if max(low, high) < table:
-            return replace(maneuver, duration=6.0 * easy_duration(maneuver))
 
 
 def constraints(args: Args, console: Console, engine: Engine) -> None:
@@ -226,72 +157,6 @@ def solvers(args: Args, console: Console, engine: Engine) -> None:
     console.print(as_table(rows))
 
 
-def plan_measures(maneuver: Maneuver, trajectory: Trajectory) -> dict[str, float]:
-    """Duration, effort, reserve and violations of a plan, flown open loop by scipy between its samples."""
-    times, (u_min, u_max), rig = trajectory.t, maneuver.limits.u, maneuver.rig
-
-    def rhs(t, x):
-        u = np.array([np.interp(t, times, row) for row in trajectory.u])
-        return dynamics(x, virtual_input(rig.thrust(u)), maneuver.parameters, math.sin, math.cos)
-
-    flown = solve_ivp(rhs, (0.0, times[-1]), trajectory.x[:, 0], "DOP853", rtol=1e-8, atol=1e-10, max_step=0.02).y
-    f, hover = rig.thrust(trajectory.u), 0.5 * hover_input(maneuver.goal[1], maneuver.parameters)[0]
-    pitch_low, pitch_high = maneuver.limits.pitch
-    free = min(
-        (trajectory.u.min() - u_min) / (0.5 * (u_max - u_min)),
-        (u_max - trajectory.u.max()) / (0.5 * (u_max - u_min)),
-        1.0 - flown[4].max() / pitch_high,
-        1.0 - flown[4].min() / pitch_low,
-    )
-    over = max(u_min - trajectory.u.min(), trajectory.u.max() - u_max, 0.0)
-    tilted = max(pitch_low - flown[4].min(), flown[4].max() - pitch_high, 0.0)
-    return {
-        "duration (s)": trajectory.duration,
-        "effort (N² s)": float(np.trapezoid(((f - hover) ** 2).sum(axis=0), times)),
-        "reserve (%)": 100.0 * float(free),
-        "over voltage (V)": float(over),
-        "over pitch (deg)": float(np.degrees(tilted)),
-        "misses goal (deg)": float(np.degrees(np.abs(flown[:, -1] - maneuver.ends[1]).max())),
-    }
-
-
-def shortest_known(maneuver: Maneuver, smooth: bool = False) -> float:
-    """Shortest duration in s by collocation, with thrusts that start and end in hover if smooth; else infinite."""
-    found = collocate(maneuver, "time", smooth=smooth)
-    return math.inf if found is None else float(found.t[-1])
-
-
-def meets_its_limits(maneuver: Maneuver, trajectory: Trajectory) -> bool:
-    """Whether a plan meets its limits and its goal in scipy's integration of order eight."""
-    times, voltages = trajectory.t.copy(), trajectory.u.copy()
-
-    def rhs(t, x):
-        u = np.array([np.interp(t, times, row) for row in voltages])
-        return dynamics(x, virtual_input(maneuver.rig.thrust(u)), maneuver.parameters, math.sin, math.cos)
-
-    flown = solve_ivp(rhs, (0.0, times[-1]), trajectory.x[:, 0], "DOP853", rtol=1e-8, atol=1e-10, max_step=0.02).y
-    (travel, elevation), limits = maneuver.goal, maneuver.limits
-    return bool(
-        np.abs(flown[:, -1] - [travel, 0.0, elevation, 0.0, 0.0, 0.0]).max() <= ARRIVAL_TOLERANCE
-        and (flown[:, 0] == [maneuver.start[0], 0.0, maneuver.start[1], 0.0, 0.0, 0.0]).all()
-        and limits.u_min - LIMIT_TOLERANCE <= trajectory.u.min() <= trajectory.u.max() <= limits.u_max + LIMIT_TOLERANCE
-        and limits.pitch_min - LIMIT_TOLERANCE <= flown[4].min() <= flown[4].max() <= limits.pitch_max + LIMIT_TOLERANCE
-        and times[-1] == maneuver.duration
-    )
-
-
-def time_planner(
-    planner: Callable[..., Trajectory], *arguments: Any, **options: Any
-) -> tuple[Trajectory | None, float]:
-    """Plan of a planner, or None if it refuses, and its computing time in s."""
-    began = time.perf_counter()
-    try:
-        trajectory = planner(*arguments, **options)
-    except InfeasibleManeuver:
-        trajectory = None
-    return trajectory, time.perf_counter() - began
-
-
 @cache
 def warm_up() -> None:
     """Compile the kernels of this process before a timing."""
@@ -347,13 +212,13 @@ def robustness(args: Args, console: Console, engine: Engine) -> None:
         group = [row for row in rows if low <= row["duration / shortest known"] < high]
         if group:
             planned = sum(row["planned"] for row in group)
-            interval = binomtest(planned, len(group)).proportion_ci(method="wilson")
+            least, most = success_interval(planned, len(group))
             times = [row["seconds"] for row in group]
             table.add_row(
                 name,
                 str(len(group)),
                 f"{planned / len(group):.1%}",
-                f"{interval.low:.1%} to {interval.high:.1%}",
+                f"{least:.1%} to {most:.1%}",
                 f"{sum(row['limits kept'] for row in group)} of {planned}",
                 f"{1e3 * np.median(times):.1f} ms",
                 f"{1e3 * np.percentile(times, 99.0):.0f} ms",
@@ -454,14 +319,12 @@ def fly_method(task: tuple[Rig, str, str, int]) -> dict[str, Any]:
     planner(maneuver, name)  # compiles the kernels before the timing
     trajectory, seconds = time_planner(planner, maneuver, name)
     assert trajectory is not None
-    f = rig.thrust(trajectory.u)
-    hover = 0.5 * hover_input(maneuver.goal[1], maneuver.parameters)[0]
     rate = np.diff(trajectory.u) / np.diff(trajectory.t)
     return {
         "method": name,
         "asked": f"{LEISURE:g} s" if kind == "in" else kind,
         "duration (s)": trajectory.duration,
-        "effort (N² s)": float(np.trapezoid(((f - hover) ** 2).sum(axis=0), trajectory.t)),
+        "effort (N² s)": effort(maneuver, trajectory),
         "peak pitch (deg)": float(np.degrees(np.abs(trajectory.x[4]).max())),
         "RMS voltage rate (V/s)": float(np.sqrt((rate**2).mean())),
         "planning (ms)": 1e3 * seconds,
@@ -506,27 +369,6 @@ def reserve(args: Args, console: Console, engine: Engine) -> None:
     console.print(as_table(rows))
 
 
-def flights(trajectory: Trajectory, plant: str, draws: int, seed: int = HELD_OUT_SEED) -> dict[str, Any]:
-    """Errors and success with the paper's controller along a plan, from starts up to 5° off; draws from a seed on."""
-    env = gym.make(
-        "Heli3DOF-v0", plant=plant, reference=trajectory, start_spread_deg=START_SPREAD_DEG, rig=trajectory.rig
-    )
-    policy = make_policy("feedforward+tvlqr", trajectory)
-    core: Any = env.unwrapped
-    flown = [
-        flight_metrics(fly(env, policy, seed=seed + k), trajectory, core.voltage_limits, core.pitch_limit)
-        for k in range(draws)
-    ]
-    arrived = sum(metrics.success for metrics in flown)
-    interval = binomtest(arrived, draws).proportion_ci(method="wilson")
-    return {
-        "RMS travel (deg)": float(np.mean([metrics.rms_error_deg[0] for metrics in flown])),
-        "RMS elevation (deg)": float(np.mean([metrics.rms_error_deg[1] for metrics in flown])),
-        "success (%)": 100.0 * arrived / draws,
-        "95 % interval": f"{100.0 * interval.low:.0f} to {100.0 * interval.high:.0f}",
-    }
-
-
 def as_table(rows: list[dict[str, Any]]) -> Table:
     """Table with the rows."""
     table = Table(*rows[0])
@@ -535,14 +377,10 @@ def as_table(rows: list[dict[str, Any]]) -> Table:
     return table
 
 
-def write_csv(path: Path, rows: Iterable[dict[str, Any]]) -> None:
-    """Write rows as CSV under the names of their columns."""
-    rows, text = list(rows), io.StringIO()
-    writer = csv.DictWriter(text, list(rows[0]))
-    writer.writeheader()
-    writer.writerows(rows)
+def write_csv(path: Path, rows: Sequence[dict[str, Any]]) -> None:
+    """Write rows as CSV."""
     with atomic_write(path) as file:
-        file.write(text.getvalue().encode())
+        file.write(to_csv(rows))
 
 
 PARTS: dict[str, Callable[[Args, Console, Engine], None]] = {

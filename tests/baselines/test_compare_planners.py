@@ -11,8 +11,9 @@ from rich.console import Console
 from heli_gym import Limits, Maneuver
 from heli_gym.baselines import plan
 from heli_gym.baselines.commands import compare_planners
-from heli_gym.baselines.commands.compare_planners import Args, meets_its_limits, random_maneuver
+from heli_gym.baselines.commands.compare_planners import Args
 from heli_gym.baselines.evaluation.engine import open_engine
+from heli_gym.baselines.evaluation.planner_comparison import meets_its_limits, random_maneuver
 
 
 @pytest.mark.parametrize("seed", range(10))

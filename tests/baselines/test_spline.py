@@ -119,7 +119,7 @@ def test_no_plan_is_found_where_there_is_none():
 
 @pytest.mark.slow
 def test_random_maneuvers_with_ten_percent_of_the_time_to_spare_are_planned():
-    from heli_gym.baselines.commands.compare_planners import random_maneuver
+    from heli_gym.baselines.evaluation.planner_comparison import random_maneuver
 
     rng = np.random.default_rng(11)
     for _ in range(20):
