@@ -11,7 +11,7 @@ import numpy as np
 from heli_gym.baselines.paper.boundary_value import SAMPLE_PERIOD, sample_times
 from heli_gym.baselines.planning.lead import rotor_voltages
 from heli_gym.baselines.planning.path import RECOVERY, path_fault, pitch_window
-from heli_gym.model import fan_thrusts, hover_input, linearise, virtual_input
+from heli_gym.model import fan_thrusts, hover_input, linearise
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.trajectory import Maneuver, Trajectory
 from heli_gym.validation import is_number, shown
@@ -132,8 +132,13 @@ def validated(
 ) -> Trajectory | None:
     """Return the trajectory if it meets the specification of `plan`; else None, with the reason stored in the clock.
 
-    `delay` is the dead time in s, as in `fault_of`.
+    It has more samples where its thrusts would otherwise not be linear between them in flight. `delay` is the dead time
+    in s, as in `fault_of`.
     """
+    if trajectory is not None and not maneuver.lead:
+        from heli_gym.baselines.planning.replay import with_linear_thrusts  # compiles, or loads from the cache
+
+        trajectory = with_linear_thrusts(trajectory)
     fault = None if trajectory is None else fault_of(maneuver, trajectory, delay)
     if fault is not None and clock is not None:
         clock.rejected.append(fault)
@@ -175,19 +180,19 @@ def fault_of(maneuver: Maneuver, trajectory: Trajectory, delay: float = 0.0) -> 
 
     Leading voltages are those of rotors with the rig's lag, and with `delay` as their dead time in s.
     """
-    from heli_gym.baselines.planning.replay import replay  # compiles, or loads from the cache
+    from heli_gym.baselines.planning.replay import replay, rotor_inputs  # compiles, or loads from the cache
 
     limits, t = maneuver.limits, trajectory.t
     u = trajectory.u
     if maneuver.lead:
         before = maneuver.rig.hover_voltage(maneuver.start[1])
         u = rotor_voltages(t, u, maneuver.rig.lag, delay, before)
-    v = np.stack(virtual_input(maneuver.rig.thrust(u)))
+    times, v = rotor_inputs(t, u, maneuver.rig)
     ends = np.searchsorted(t, replay_ends(maneuver, trajectory.duration))
     miss, pitch = 0.0, [0.0]
     for start, end in pairwise(ends):
-        along = slice(start, end + 1)
-        x, *extremes = replay(trajectory.x[:, start], v[:, along], t[along] - t[start], maneuver.parameters)
+        along = slice(np.searchsorted(times, t[start]), np.searchsorted(times, t[end]) + 1)
+        x, *extremes = replay(trajectory.x[:, start], v[:, along], times[along] - t[start], maneuver.parameters)
         miss += np.abs(x - trajectory.x[:, end]).max()
         pitch += extremes
     miss += end_miss(maneuver, trajectory)

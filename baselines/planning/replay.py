@@ -1,20 +1,29 @@
 """Replay of a plan's voltages through equation (3) by a compiled adaptive integrator.
 
-The integrator is the Dormand-Prince pair of orders 5 and 4, on the unmodified `heli_gym.model.dynamics`.
+The integrator is the Dormand-Prince pair of orders 5 and 4, on the unmodified `heli_gym.model.dynamics`. Plans have
+thrusts linear between their samples, and flights voltages: samples are added where a curved thrust map makes a
+difference.
 """
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 
 from heli_gym.compilation import jit_cached
-from heli_gym.model import dynamics
+from heli_gym.model import dynamics, virtual_input
 from heli_gym.parameters import HelicopterParameters
+from heli_gym.rig import Rig
+from heli_gym.trajectory import Trajectory
 
 TOLERANCE = 1e-8  # of a step, in rad and rad/s, absolute and relative
 LONGEST = 0.05  # s, largest step, since voltages have corners
+IMPULSE = 1e-8  # s, of the thrust range: difference between linear voltages and linear thrusts in a sampling interval
+REPLAYED = 0.1  # share of IMPULSE in the replay
+STEEP = 3e-3  # share of the voltage range below which a change between two samples makes no difference
+MOST_PIECES = 64  # of a sampling interval
 NODES = (0.0, 0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0)
 STAGES = (
     (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
@@ -80,3 +89,45 @@ def replay(x: np.ndarray, v: np.ndarray, t: np.ndarray, parameters: HelicopterPa
     v (2, K) in N are the virtual inputs at the times t (K,) in s, linear between them.
     """
     return replay_kernel()(x, v, t, parameters)
+
+
+def split_times(t: np.ndarray, u: np.ndarray, rig: Rig, impulse: float) -> np.ndarray:
+    """Times t (K,) with more between them, so that thrusts of linear voltages u (2, K) are linear within an impulse.
+
+    The impulse is in s, relative to the thrust range.
+    """
+    change = np.abs(np.diff(u)).max(axis=0)
+    low, high = rig.voltage_limits
+    steep = np.flatnonzero(change > STEEP * (high - low))
+    if len(steep) == 0:
+        return t
+    ends = rig.thrust(np.concatenate((u[:, steep], u[:, steep + 1], 0.5 * (u[:, steep] + u[:, steep + 1])), axis=1))
+    first, last, middle = np.split(ends, 3, axis=1)
+    least, most = rig.thrust_bounds(rig.voltage_limits)
+    missed = np.abs(middle - 0.5 * (first + last)).max(axis=0) / (most - least) * (t[steep + 1] - t[steep])
+    pieces = np.minimum(np.ceil(np.sqrt(missed / impulse)), MOST_PIECES).astype(int)  # the error is quadratic
+    between = [
+        np.linspace(t[k], t[k + 1], count + 1)[1:-1] for k, count in zip(steep.tolist(), pieces.tolist()) if count > 1
+    ]
+    return np.sort(np.concatenate((t, *between)))
+
+
+def with_linear_thrusts(trajectory: Trajectory) -> Trajectory:
+    """Trajectory with more samples where its thrusts, linear between the samples, are no longer so in flight."""
+    rig, t = trajectory.rig, split_times(trajectory.t, trajectory.u, trajectory.rig, IMPULSE)
+    if len(t) == len(trajectory.t):
+        return trajectory
+    f = np.stack([np.interp(t, trajectory.t, row) for row in rig.thrust(trajectory.u)])
+    u = np.clip(rig.voltage(f), trajectory.u.min(axis=1)[:, None], trajectory.u.max(axis=1)[:, None])
+    x, _ = trajectory(t)
+    given = np.searchsorted(t, trajectory.t)
+    x[:, given], u[:, given] = trajectory.x, trajectory.u
+    return replace(trajectory, t=t, x=x, u=u)
+
+
+def rotor_inputs(t: np.ndarray, w: np.ndarray, rig: Rig) -> tuple[np.ndarray, np.ndarray]:
+    """Times (N,) and virtual inputs (2, N) in N of rotor voltages w (2, K), linear between the times t (K,)."""
+    times = split_times(t, w, rig, REPLAYED * IMPULSE)
+    if len(times) > len(t):
+        w = np.stack([np.interp(times, t, row) for row in w])
+    return times, np.stack(virtual_input(rig.thrust(w)))
