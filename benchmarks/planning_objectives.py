@@ -1,6 +1,7 @@
 """Splines for an objective against collocation of the same one: `python benchmarks/planning_objectives.py`.
 
-Needs the extras `eval` and `ocp`. Both start and end in hover; IPOPT starts from the spline.
+Needs the extras `eval` and `ocp`. Both start and end in hover; IPOPT starts from the spline. Rates also of the paper's
+plan, where it has one.
 """
 
 from collections.abc import Iterator
@@ -10,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from heli_gym import Maneuver, Trajectory
-from heli_gym.baselines import plan, plan_fastest
+from heli_gym.baselines import InfeasibleManeuver, plan, plan_fastest
 from heli_gym.baselines.evaluation.planner_comparison import random_maneuver
 from heli_gym.baselines.planning.collocation import import_casadi
 from heli_gym.baselines.planning.path import path_limits
@@ -19,6 +20,8 @@ from heli_gym.model import dynamics, hover_input
 INTERVALS = 120
 DURATIONS = 10.0, 12.0, 20.0  # s, of the paper's rotation
 RANDOM, SEED, LEISURE = 4, 1, 1.3  # number and seed of random maneuvers, durations relative to their shortest
+EASY, EASY_LEISURE = 6, 2.0  # likewise of easy ones
+PATIENCE = 60.0  # s, for a plan of the paper's
 
 
 def optimum(maneuver: Maneuver, objective: str, near: Trajectory) -> float:
@@ -85,9 +88,9 @@ def maneuvers() -> Iterator[Maneuver]:
     for duration in DURATIONS:
         yield Maneuver(duration=duration)
     rng = np.random.default_rng(SEED)
-    for _ in range(RANDOM):
+    for leisure in RANDOM * [LEISURE] + EASY * [EASY_LEISURE]:
         maneuver = random_maneuver(rng)
-        yield replace(maneuver, duration=round(LEISURE * plan_fastest(maneuver).duration, 1))
+        yield replace(maneuver, duration=round(leisure * plan_fastest(maneuver).duration, 1))
 
 
 def main() -> None:
@@ -97,7 +100,13 @@ def main() -> None:
         for objective in ("smoothest", "reserve"):
             found = plan(maneuver, "spline", objective=objective)
             by_spline, best = value(maneuver, objective, found), optimum(maneuver, objective, found)
-            print(f"  {objective:10s} spline {by_spline:.4f}, collocation {best:.4f}", flush=True)
+            line = f"  {objective:10s} spline {by_spline:.5f}, collocation {best:.5f}"
+            if objective == "smoothest":
+                try:
+                    line += f", paper {value(maneuver, objective, plan(maneuver, 'paper', PATIENCE)):.5f}"
+                except InfeasibleManeuver:
+                    line += ", no plan of the paper's"
+            print(line, flush=True)
 
 
 if __name__ == "__main__":

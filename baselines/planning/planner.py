@@ -493,7 +493,7 @@ OBJECTIVES: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
     "shortest": plan_fastest_auto,
     "effort": partial(plan_objective, optimum=spline.least_effort),
     "reserve": plan_reserve,
-    "smoothest": partial(plan_objective, optimum=spline.exactly_smoothest),
+    "smoothest": partial(plan_objective, optimum=spline.least_rates),
 }
 FASTEST: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
     "auto": plan_fastest_auto,

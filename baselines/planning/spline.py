@@ -23,7 +23,7 @@ from heli_gym.model import dynamics, virtual_input
 from heli_gym.trajectory import Maneuver, Trajectory, hover_thrust_sum
 
 SEGMENTS = (30, 60)  # of the splines, tried in this order: fewer are faster and smoother
-OPTIMUM_SEGMENTS = (90, *SEGMENTS)  # least effort is within 1 % of that of collocation
+OPTIMUM_SEGMENTS = (90, *SEGMENTS)  # least effort and rates are within 1 to 2 % of those of collocation
 SHORTEST_SEGMENTS = (36, 72, 144)  # the shortest durations take more segments
 REPLAN_DENSITY, FEWEST, REPLAN_ITERATIONS = 2.5, 12, 30  # segments per s, fewest segments, and iterations in flight
 LONGER, QUICK, QUICK_ITERATIONS = (2.0, 0.7), 1e-3, 80  # s beyond the requested duration, for the fastest in flight
@@ -32,7 +32,7 @@ REST = 3  # coefficients at each end, fixed by its position with zero velocity a
 SMOOTH, SOONEST = 1e-3, 1e-6  # final barrier parameter: smoothest plan, which seldom touches limits; fastest plan
 COLD, LUKEWARM, WARM = 0.1, 1e-2, 1e-3  # initial one: from a guess, from a solution of another or of the same problem
 OVER_FLOOR = 1e-6  # likewise of the smoothest plan with a floor, which a larger one would repel
-EXACT = 1e-4  # final barrier parameter for the exactly smoothest plan, as a share of its roughness
+RATES_ROUGHNESS = 1e-3  # weight of smoothness next to that of the squared thrust rates
 EFFORT, EFFORT_ROUGHNESS = 10.0, 1e-4  # weights of the squared distance from hover thrusts, and of smoothness
 STEEPEST = 0.5 * math.pi  # rad, of any elevation
 ROUNDED = 0.5 * PATH_TOLERANCE  # excess over a path constraint that is none
@@ -223,27 +223,27 @@ def refined(spline: Spline) -> Spline:
 def smoothest(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = COLD) -> Spline | None:
     """Smoothest transition in the maneuver's duration, from a guess; None without convergence."""
     for last in (SMOOTH,) if maneuver.floor is None else (OVER_FLOOR, SMOOTH):
-        found = optimise(maneuver, start, bounds, float(maneuver.duration), (1.0, 0.0, 0.0), barrier, last)
+        found = optimise(maneuver, start, bounds, float(maneuver.duration), (1.0, 0.0, 0.0, 0.0), barrier, last)
         if found is not None:
             return found
     return None
 
 
-def exactly_smoothest(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = COLD) -> Spline | None:
-    """Smoothest transition with a negligible barrier, regardless of the distance to the limits."""
+def least_rates(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = COLD) -> Spline | None:
+    """Transition with the least integral of squared thrust rates, regardless of the distance to the limits."""
     found = smoothest(maneuver, start, bounds, barrier)
     if found is None:
         return None
-    third = np.diff(found.coefficients, 3, axis=0)
-    roughness = 0.5 * float((smoothness_weights(maneuver, found.duration, len(third)) * third**2).sum())
-    last = max(EXACT * min(roughness, 1.0), 1e-9)
-    return optimise(maneuver, found, bounds, float(maneuver.duration), (1.0, 0.0, 0.0), WARM, last)
+    t, _, f = sample(maneuver, found)
+    scale = float((np.diff(f) ** 2 / np.diff(t)).sum())  # the objective is of order one at its start
+    weights = RATES_ROUGHNESS / scale, 0.0, 0.0, 1.0 / scale
+    return optimise(maneuver, found, bounds, float(maneuver.duration), weights, LUKEWARM, SOONEST)
 
 
 def least_effort(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = COLD) -> Spline | None:
     """Transition with the least mean squared distance of the thrusts from those of hover at the goal."""
     return optimise(
-        maneuver, start, bounds, float(maneuver.duration), (EFFORT_ROUGHNESS, 0.0, EFFORT), barrier, SOONEST
+        maneuver, start, bounds, float(maneuver.duration), (EFFORT_ROUGHNESS, 0.0, EFFORT, 0.0), barrier, SOONEST
     )
 
 
@@ -252,12 +252,12 @@ def fastest(maneuver: Maneuver, start: Spline, bounds: Bounds, barrier: float = 
     return optimise(maneuver, start, bounds, start.duration, fastest_weights(maneuver), barrier, SOONEST)
 
 
-def fastest_weights(maneuver: Maneuver) -> tuple[float, float, float]:
+def fastest_weights(maneuver: Maneuver) -> tuple[float, float, float, float]:
     """Weights of the fastest plan; that of smoothness is relative to the thrust range, which differs between rigs."""
     if maneuver.lead:  # rates of thrusts are part of the voltages
-        return LEAD_ROUGHNESS, 1.0, 0.0
+        return LEAD_ROUGHNESS, 1.0, 0.0, 0.0
     low, high = maneuver.rig.thrust_bounds(maneuver.limits.u)
-    return ROUGHNESS / (high - low) ** 2, 1.0, 0.0
+    return ROUGHNESS / (high - low) ** 2, 1.0, 0.0, 0.0
 
 
 def smoothness_weights(maneuver: Maneuver, duration: float, segments: int) -> np.ndarray:
@@ -274,19 +274,19 @@ def optimise(
     start: Spline,
     bounds: Bounds,
     duration: float,
-    weights: tuple[float, float, float],
+    weights: tuple[float, float, float, float],
     barrier: float,
     last_barrier: float,
 ) -> Spline | None:
     """Run the interior-point method once; None if it does not converge.
 
-    The weights are those of smoothness, logarithm of the duration and effort; the duration is free if its weight is
-    positive.
+    The weights are those of smoothness, logarithm of the duration, effort, and squared thrust rates; the duration is
+    free if its weight is positive, which that of the rates must not be then.
     """
     from heli_gym.baselines.planning.spline_kernel import compiled, run  # compiles, or loads from the cache
 
     p, segments = maneuver.parameters, len(start.coefficients) - REST
-    roughness, time_weight, effort = weights
+    roughness, time_weight, effort, thrust_rate = weights
     rates = roughness * smoothness_weights(maneuver, duration, segments)
     held = fixed_ends(maneuver, start)
     points, free = 2 * (3 * segments + 1), segments + REST - sum(held)
@@ -314,7 +314,7 @@ def optimise(
         vias,
         floor,
         p,
-        ((rates[0], rates[1]), time_weight, effort, 0.5 * hover_thrust_sum(maneuver.goal[1], p)),
+        ((rates[0], rates[1]), time_weight, effort, 0.5 * hover_thrust_sum(maneuver.goal[1], p), thrust_rate),
         (time_weight > 0.0, maneuver.periodic),
         barrier,
         last_barrier,
@@ -546,7 +546,7 @@ def plan_smoothest(maneuver: Maneuver, optimum: Callable = smoothest) -> Traject
 
     The smoothest plan takes the fewest segments that work.
     """
-    for segments in OPTIMUM_SEGMENTS if optimum is least_effort else SEGMENTS:
+    for segments in SEGMENTS if optimum is smoothest else OPTIMUM_SEGMENTS:
         found = solve_within_limits(maneuver, optimum, guess(maneuver, maneuver.duration, segments))
         if found is not None:
             return found[1]

@@ -231,7 +231,7 @@ def evaluate(c, s, w, travel, weights, parameters, points, rows, targets, vias, 
     `places` (V, 2) receives segments and shares of the via points.
     """
     B, first, tau, weight = points
-    smooth, time_weight, effort, hover = weights
+    smooth, time_weight, effort, hover, thrust_rate = weights
     root = math.sqrt(s)
     new_rate, new_angle, damping, loop = travel
     T = 1.0 / root
@@ -251,6 +251,9 @@ def evaluate(c, s, w, travel, weights, parameters, points, rows, targets, vias, 
     for j in range(len(c) - 3):
         for o in range(2):
             objective += 0.5 * smooth[o] * (c[j + 3, o] - c[j, o] + 3.0 * (c[j + 1, o] - c[j + 2, o])) ** 2
+    if thrust_rate > 0.0:
+        for k in range(len(f) - 2):
+            objective += 0.5 * thrust_rate * root * (f[k + 2] - f[k]) ** 2 / (tau[k // 2 + 1] - tau[k // 2])
     if len(h) > 0:
         rates, angles = knots[0], knots[1]
         travel_along(r, s, w, damping, points, rates, angles)
@@ -354,7 +357,7 @@ def assemble(
     coefficients at the start.
     """
     B, first, tau, weight = points
-    smooth, time_weight, effort, hover = weights
+    smooth, time_weight, effort, hover, thrust_rate = weights
     unknowns, count, segments, equations = len(g), len(tau), len(c) - 3, len(lam)
     root = math.sqrt(s)
     new_rate, new_angle, damping, loop = travel
@@ -386,6 +389,11 @@ def assemble(
                 by_rate = scale * on_rows[q] * root / (tau[k // 2 + 1] - tau[k // 2])
                 on_thrusts[k + 2] += by_rate + (on_rows[q] if rows[q, 0] == LEAD else 0.0)
                 on_thrusts[k] -= by_rate
+    if thrust_rate > 0.0:
+        for k in range(2 * count - 2):
+            by_rate = thrust_rate * root * (f[k + 2] - f[k]) / (tau[k // 2 + 1] - tau[k // 2])
+            on_thrusts[k + 2] += by_rate
+            on_thrusts[k] -= by_rate
     ss, gs = 0.5 * time_weight / s**2, 0.0
     border[:] = 0.0
     decay, advance = arrival(T, damping)
@@ -467,6 +475,18 @@ def assemble(
                     g[n] += smooth[o] * THIRD[i] * third
                     for k in range(max(0, i - n // 2), i + 1):
                         M[n, 2 * (i - k)] += smooth[o] * THIRD[i] * THIRD[k]
+    if thrust_rate > 0.0:
+        change = np.zeros(unknowns + BORDER)
+        for k in range(2 * count - 2):
+            begin, end = row_span(SLEW, k, lead, unknowns)
+            change[begin:end] = 0.0
+            add_thrust(c, s, points, lead, F, k + 2, 1.0, change)
+            add_thrust(c, s, points, lead, F, k, -1.0, change)
+            stiff = thrust_rate * root / (tau[k // 2 + 1] - tau[k // 2])
+            for n in range(begin, end):
+                g[n] += stiff * (f[k + 2] - f[k]) * change[n]
+                for m in range(begin, n + 1):
+                    M[n, n - m] += stiff * change[n] * change[m]
     if has_rows:
         differentiate_rows(c, s, damping, points, lead, rows, targets, vias, floor, f, F, r, R, R_s, knots, places, J)
         offset = len(y) - bounded
@@ -901,7 +921,8 @@ def solve(
         floor: travel and elevation (2, N) in rad, for rows of the kind FLOOR.
         parameters: parameters of the helicopter.
         weights: of squared third differences of the coefficients (2,), of the logarithm of the duration, and of the
-            mean squared distance of the thrusts from hover; then the hover thrusts in N.
+            mean squared distance of the thrusts from hover; then the hover thrusts in N, and the weight of the integral
+            of the squared thrust rates, zero if s is free.
         is_free: whether s may change, and whether w may.
         tolerance: of equations and bounds in N and rad/s²; that of optimality is last_mu.
         iterations: largest number.
@@ -920,7 +941,7 @@ def solve(
     y, stiffness, force = np.empty(size), np.empty(size), np.empty(size)
     g, direct, dx = np.empty(unknowns), np.empty(unknowns), np.empty(unknowns)
     f, F, h = np.empty(count), np.empty((count, 6)), np.empty(len(rows))
-    band = BAND if bounded == 0 else LOCAL_BAND
+    band = BAND if bounded == 0 and weights[4] == 0.0 else LOCAL_BAND
     for q in range(bounded):
         if rows[q, 0] == TRAVEL_RATE or rows[q, 0] == FLOOR:
             band = unknowns
