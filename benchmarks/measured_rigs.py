@@ -26,7 +26,7 @@ from heli_gym import PLANTS, Gust, Maneuver, Plant, Sensors, ThrustDrift, Trajec
 from heli_gym.baselines import fly, fly_many, make_policy, plan, plan_fastest
 from heli_gym.baselines.evaluation.figures import BLUE, INK, RED, finish, save, styled
 from heli_gym.baselines.evaluation.metrics import flight_metrics
-from heli_gym.plant import DRIFT_DURATION, FLEET_RANGES, HELD_OUT_SEED
+from heli_gym.plant import DRIFT_DURATION, FLEET_DRIFT, HELD_OUT_SEED
 from heli_gym.rig import Rig, find_rig, fleet_rig_names
 
 FACTORS = (1.0, 1.25, 1.5, 2.0)  # durations relative to the shortest one
@@ -40,7 +40,7 @@ def plants_of(rig: Rig) -> dict[str, Plant]:
     """Plants on which a plan of the rig is flown, by name."""
     known, raw = Plant.from_rig(rig, sensors=Sensors(rig.encoder_counts)), Plant.from_rig(rig)
     slow = tuple(Gust(axis, size, CORRELATION_TIME) for axis, size in SLOW.items())
-    drift = ThrustDrift(FLEET_RANGES.drift, duration=DRIFT_DURATION)
+    drift = ThrustDrift(FLEET_DRIFT, duration=DRIFT_DURATION)
     return {
         "its own plant": known,
         "draws of it": replace(known, disturbances=(drift, *slow)),

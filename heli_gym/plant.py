@@ -8,17 +8,17 @@ Controllers are designed on nominal parameters only and never see a draw.
 import itertools
 import math
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
 from numbers import Integral, Real
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from heli_gym.notebook import short_repr
 from heli_gym.parameters import NO_COUPLING, Coupling, HelicopterParameters
-from heli_gym.rig import Rig, find_rig
+from heli_gym.rig import Rig, find_rig, fleet_rig_names
 from heli_gym.rigid_body import VARIANTS, RigidBodyParameters, solve_rigid_body
 from heli_gym.thrust_map import EXPONENTS, PowerCurve, TableCurve, ThrustCurve, ThrustMap
 from heli_gym.validation import is_number, shown
@@ -111,27 +111,65 @@ def check_type(name: str, value: Any, kinds: Any, what: str) -> None:
 
 @dataclass(frozen=True)
 class OneOf:
-    """Alternatives; every episode draws one of them."""
+    """Alternatives; every episode draws one of them. Those with the same name in `together` draw the same position."""
 
     options: tuple[Any, ...]
+    together: str = ""
 
     def __post_init__(self) -> None:
         if not isinstance(self.options, tuple) or not self.options:
             raise ValueError(f"options = {shown(self.options)}: must be a tuple of at least one alternative")
+        if not isinstance(self.together, str):
+            raise ValueError(f"together = {shown(self.together)}: must be a name")
+
+
+def common_choices(value: Any) -> dict[str, int]:
+    """Number of options of each name in `together` of the options nested in a value.
+
+    Raises ValueError if two of a name differ in their number.
+    """
+    counts: dict[str, int] = {}
+    own = [(value.together, len(value.options))] if isinstance(value, OneOf) and value.together else []
+    parts = value.options if isinstance(value, OneOf) else parts_of(value)
+    for name, count in itertools.chain(own, *(common_choices(part).items() for part in parts)):
+        if counts.setdefault(name, count) != count:
+            raise ValueError(f"options: {counts[name]} and {count} together as {name!r}; must be equally many")
+    return counts
+
+
+def choices(value: Any) -> list[dict[str, int]]:
+    """Positions of the options that are drawn together, for each combination of them."""
+    counts = common_choices(value)
+    return [dict(zip(counts, places)) for places in itertools.product(*map(range, counts.values()))]
+
+
+def options_at(value: OneOf, places: dict[str, int]) -> tuple:
+    """Options that are left when those drawn together have these positions."""
+    return (value.options[places[value.together]],) if value.together else value.options
 
 
 def alternatives(value: Any) -> list:
     """List of the value for each combination of the options nested in it."""
+    return [alternative for places in choices(value) for alternative in alternatives_at(value, places)]
+
+
+def alternatives_at(value: Any, places: dict[str, int]) -> list:
+    """`alternatives` when the options that are drawn together have these positions."""
     if isinstance(value, OneOf):
-        return [alternative for option in value.options for alternative in alternatives(option)]
-    return [with_parts(value, parts) for parts in itertools.product(*map(alternatives, parts_of(value)))]
+        return [alternative for option in options_at(value, places) for alternative in alternatives_at(option, places)]
+    parts = (alternatives_at(part, places) for part in parts_of(value))
+    return [with_parts(value, own) for own in itertools.product(*parts)]
 
 
 def count_alternatives(value: Any) -> int:
     """Number of combinations of the options nested in a value."""
-    if isinstance(value, OneOf):
-        return sum(map(count_alternatives, value.options))
-    return math.prod(map(count_alternatives, parts_of(value)))
+
+    def count(value: Any, places: dict[str, int]) -> int:
+        if isinstance(value, OneOf):
+            return sum(count(option, places) for option in options_at(value, places))
+        return math.prod(count(part, places) for part in parts_of(value))
+
+    return sum(count(value, places) for places in choices(value))
 
 
 def count_ranges(value: Any) -> int:
@@ -645,48 +683,73 @@ LAB_FRICTION = Friction(viscous=(Uniform(0.017, 0.2), Uniform(0.04, 0.30), Unifo
 DRAG_RATIO = Uniform(0.015, 0.03)  # m
 
 
-class FleetRanges(NamedTuple):
-    """Ranges of the plant `fleet`, from 15 measured flights; `docs/plants.md` has the source of each."""
-
-    a1: Uniform = Uniform(-1.72, -0.66)  # rad/s²
-    a2: Uniform = Uniform(0.4, 1.2)  # rad/s²
-    a3: Uniform = Uniform(-0.95, -0.25)  # rad/s²
-    b1: Uniform = Uniform(-0.65, -0.49)  # rad/s² per N, 0.75 to 1.0 times b2, which is nominal: a thrust unit
-    b3: Uniform = Uniform(2.8, 4.6)  # rad/s² per N, 4.3 to 7.1 times b2
-    hover_voltage: Uniform = Uniform(3.0, 4.35)  # V, at each rotor
-    exponent: Uniform = Uniform(0.94, 1.74)
-    gain: Uniform = Uniform(0.95, 1.05)  # of each rotor; two rotors differ by up to 10 %
-    lag: Uniform = Uniform(0.04, 0.11)  # s
-    delay: Uniform = Uniform(0.02, 0.10)  # s
-    drift: Uniform = Uniform(-0.02, 0.06)  # share of the thrust that a flight of DRIFT_DURATION loses
-    viscous_travel: Uniform = Uniform(0.01, 0.27)  # 1/s
-    viscous_elevation: Uniform = Uniform(0.18, 0.62)  # 1/s
-    viscous_pitch: Uniform = Uniform(0.10, 0.63)  # 1/s
-    coulomb: Uniform = Uniform(0.0, 0.02)  # rad/s², of each axis
-    travel_lift: Uniform = Uniform(-0.1, 0.05)  # 1/rad
-    elevation_zero: Uniform = Uniform(math.radians(-2.0), math.radians(2.0))
-    pitch_zero: Uniform = Uniform(math.radians(-8.0), math.radians(8.0))
-    table: Uniform = Uniform(math.radians(27.0), math.radians(30.0))
-
-
-FLEET_RANGES = FleetRanges()
+# The plant `fleet` draws one of the rigs that were identified from measured flights, and moves each of its numbers by
+# up to MARGIN of that number's range over these rigs, within the bounds below.
+MARGIN = 0.2
+FLEET_BOUNDS = {"c1": (0.0, 1.0), "c2": (0.0, 1.0), "c3": (0.0, 1.0), "delay": (0.0, 0.1), "exponent": EXPONENTS}
+# These are drawn independently of the rig: they change from flight to flight, or were not measured.
+FLEET_DRIFT = Uniform(-0.02, 0.06)  # share of the thrust that a flight of DRIFT_DURATION loses
 DRIFT_DURATION = 20.0  # s
-BACKWARDS = -0.39  # ratio of backward to forward thrust at the same voltage
+FLEET_COULOMB = Uniform(0.0, 0.02)  # rad/s², of each axis
+FLEET_ELEVATION_ZERO = math.radians(2.0)  # largest magnitude
+FLEET_AMPLIFIER = 12.0  # V, most of a rig whose hover voltage counts; CTU's amplifiers have 24 V
 
 
-def fleet(ranges: FleetRanges = FLEET_RANGES, parameters: HelicopterParameters = HelicopterParameters()) -> Plant:
-    """Plant with these ranges; every draw hovers at its `hover_voltage`, and b2 is that of the parameters."""
-    r = ranges
+def fleet_numbers(rig: Rig) -> dict[str, float]:
+    """Numbers of a rig, by name, that `fleet` draws together.
+
+    The unit of thrust, which no flight determines, is the one in which b2 is Table I's.
+    """
+    p, (front, back) = rig.parameters, (rig.thrust_map.front, rig.thrust_map.back)
+    unit, mean = HelicopterParameters().b2 / p.b2, 0.5 * (front.k_plus + back.k_plus)  # type: ignore[union-attr]
+    return {
+        **{name: float(getattr(p, name)) for name in ("a1", "a2", "a3", "c1", "c2", "c3")},
+        "b1": unit * p.b1,
+        "b3": unit * p.b3,
+        "exponent": front.exponent,  # type: ignore[union-attr]
+        "reverse": 0.5 * (front.k_minus + back.k_minus) / mean,  # type: ignore[union-attr]
+        "front": front.k_plus / mean,  # type: ignore[union-attr]
+        "back": back.k_plus / mean,  # type: ignore[union-attr]
+        "lag": rig.lag,
+        "delay": rig.delay,
+        **rig.coupling._asdict(),
+    }
+
+
+def ranges_around(values: Sequence[float], low: float = -math.inf, high: float = math.inf) -> list[Uniform]:
+    """Range around each of the values, by MARGIN of the range of all to either side, within bounds."""
+    reach = MARGIN * (max(values) - min(values))
+    return [Uniform(min(max(v - reach, low), high), min(max(v + reach, low), high)) for v in values]
+
+
+def widened_range(values: Sequence[float]) -> Uniform:
+    """Range of the values, wider by MARGIN of it at either end."""
+    around = ranges_around(values)
+    return Uniform(min(r.low for r in around), max(r.high for r in around))
+
+
+def fleet(rigs: Sequence[Rig]) -> Plant:
+    """Plant that draws one of these rigs and a rig near it, which hovers level at a drawn voltage; see MARGIN."""
+    numbers = [fleet_numbers(rig) for rig in rigs]
+    ranges = {name: ranges_around([own[name] for own in numbers], *FLEET_BOUNDS.get(name, ())) for name in numbers[0]}
+    drawn = [{name: around[k] for name, around in ranges.items()} for k in range(len(rigs))]
+
+    def one_of(make: Callable[[dict[str, Uniform]], Any]) -> OneOf:
+        return OneOf(tuple(map(make, drawn)), together="rig")
+
+    hover = [float(rig.hover_voltage().mean()) for rig in rigs if rig.voltage_limits[1] <= FLEET_AMPLIFIER]
+    zero = max(abs(rig.sensor_zeros[2]) for rig in rigs)
+    coefficients = ("a1", "a2", "a3", "b1", "b3", "c1", "c2", "c3")
     return Plant(
-        parameters._replace(a1=r.a1, a2=r.a2, a3=r.a3, b1=r.b1, b3=r.b3),
-        rotors=Rotors(lag=r.lag, delay=r.delay, gains=(r.gain, r.gain)),
-        friction=Friction((r.viscous_travel, r.viscous_elevation, r.viscous_pitch), (r.coulomb,) * 3),
-        sensors=Sensors(zeros=(0.0, r.elevation_zero, r.pitch_zero)),
-        disturbances=(ThrustDrift(r.drift, duration=DRIFT_DURATION),),
-        thrust_map=PowerCurve(1.0, BACKWARDS, r.exponent),
-        hover_voltage=r.hover_voltage,
-        travel_lift=r.travel_lift,
-        table=Table(r.table),
+        one_of(lambda r: HelicopterParameters()._replace(**{name: r[name] for name in coefficients})),
+        rotors=one_of(lambda r: Rotors(lag=r["lag"], delay=r["delay"], gains=(r["front"], r["back"]))),
+        friction=Friction(coulomb=(FLEET_COULOMB,) * 3),
+        sensors=Sensors(zeros=(0.0, Uniform(-FLEET_ELEVATION_ZERO, FLEET_ELEVATION_ZERO), Uniform(-zero, zero))),
+        disturbances=(ThrustDrift(FLEET_DRIFT, duration=DRIFT_DURATION),),
+        thrust_map=one_of(lambda r: PowerCurve(1.0, r["reverse"], r["exponent"])),
+        hover_voltage=widened_range(hover),
+        table=Table(Uniform(*(pick(rig.table_elevation for rig in rigs) for pick in (min, max)))),
+        coupling=one_of(lambda r: Coupling(**{name: r[name] for name in Coupling._fields})),
     )
 
 
@@ -699,7 +762,7 @@ PLANTS = {
         friction=LAB_FRICTION,
         sensors=Sensors(),
     ),
-    "fleet": fleet(),
+    "fleet": fleet([find_rig(name) for name in fleet_rig_names()]),
 }
 # Rigs for which controllers of these plants are designed; see `rig.find_rig`.
 NOMINAL_RIGS = {"nominal": "paper", "lab": "paper", "rigid": "paper", "fleet": "fleet"}

@@ -14,7 +14,7 @@ from heli_gym.model import power_thrust
 from heli_gym.parameters import Scalar
 from heli_gym.validation import is_number, require, shown
 
-EXPONENTS = (0.5, 2.0)  # identified rigs have 0.94 to 1.74; (2) has 2, a linear map 1
+EXPONENTS = (0.5, 2.0)  # identified rigs have 1.72 to 2; (2) has 2, a linear map 1
 # Bounds of measured curves, beyond any laboratory rig.
 MOST_VOLTS, MOST_NEWTONS, MOST_POINTS, LEAST_STEP = 1000.0, 1e4, 10_000, 1e-3
 ITERATIONS = 80  # at most, of bisection when a cubic is inverted; Newton's method takes about six

@@ -23,6 +23,7 @@ from heli_gym.baselines.control.residual import (
 )
 from heli_gym.baselines.control.residual_step import FLIGHT_FEATURES, SINGLE_GROUPS, time_features
 from heli_gym.baselines.control.tracking import TrackingPolicy
+from heli_gym.parameters import Coupling
 from heli_gym.plant import ThrustDrift
 from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.simulation import layout, motion
@@ -31,6 +32,7 @@ from heli_gym.simulation.layout import (
     BACK,
     COULOMB,
     COUNTS,
+    COUPLING,
     DELAY_PERIODS,
     DELAY_REST,
     DISTURBANCE,
@@ -185,12 +187,12 @@ def task_of(
         raise ValueError(f"base: must be a feedforward with state feedback, not {type(base).__name__}")
     simulation = envs.simulation
     shared = layout.shared(simulation.settings.tolist())
-    first = simulation.plants[0]
+    first = simulation.plants[0].alternatives[0]
     general = simulation.fly is motion.step_general
     curve = base.rig.thrust_map.front
     usual = shared.substeps == SUBSTEPS and not shared.is_noisy and not shared.pieces
     usual = usual and (general or (simulation.fly is motion.step_plant and not shared.disturbances))
-    for plant in simulation.plants:
+    for plant in (one for own in simulation.plants for one in own.alternatives):
         usual = usual and math.isinf(plant.rotors.slew)
         if general:
             usual = usual and plant.rig is None and all(isinstance(d, ThrustDrift) for d in plant.disturbances)
@@ -256,7 +258,7 @@ def batch_of(envs: Heli3DOFVectorEnv, seed: int) -> Batch:
     body = [
         np.zeros(envs.num_envs), decay**SUBSTEPS, *counts, *motion_rows, *thrusts, *exponents, np.ones(envs.num_envs),
         rows(DELAY_REST, 1)[0], rows(REST_DECAY, 1)[0] ** SUBSTEPS, *rows(COULOMB, 3), rows(TRAVEL_LIFT, 1)[0],
-        *rows(ZEROS, 3),
+        *rows(ZEROS, 3), *rows(COUPLING, len(Coupling._fields)),
     ]  # fmt: skip
     return Batch(np.array(body), *start, rows(DELAY_PERIODS, 1)[0].astype(int), drift)
 

@@ -17,8 +17,8 @@ from numpy import cos, floor, sin
 from heli_gym.baselines.control.residual import FEATURE_CLIP
 from heli_gym.compilation import Compiler
 from heli_gym.model import axpy, dynamics, rk4_step, virtual_input
-from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import COULOMB_RATE, quantise
+from heli_gym.parameters import Coupling, HelicopterParameters
+from heli_gym.plant import COULOMB_RATE, FOOT_SPREAD, quantise, with_coupling
 from heli_gym.rigid_body import (
     RigidBodyParameters,
     coriolis,
@@ -45,10 +45,12 @@ K_PLUS, LAG_DECAY, COUNTS, NUMBERS = 0, 1, 2, 5
 COEFFICIENTS, RIGID = 9, 14
 # Further rows of the helicopters of `fleet`: thrusts at 1 V of the front rotor, forwards and backwards, and of the back
 # rotor; exponents of both; share of the thrust left by drift; s from the start of a period to the arrival of delayed
-# voltages, and decay by the lag over half of it; Coulomb friction; travel lift; zeros of the sensors.
+# voltages, and decay by the lag over half of it; Coulomb friction; travel lift; zeros of the sensors; moments between
+# the axes.
 THRUST, EXPONENTS, EFFECT = NUMBERS + COEFFICIENTS, NUMBERS + COEFFICIENTS + 4, NUMBERS + COEFFICIENTS + 6
 REST, REST_DECAY, OF_COULOMB, LIFT, ZEROS = EFFECT + 1, EFFECT + 2, EFFECT + 3, EFFECT + 6, EFFECT + 7
-FLEET = ZEROS + 3  # number of rows
+MOMENTS = ZEROS + 3
+FLEET = MOMENTS + len(Coupling._fields)  # number of rows
 LEAST_SPEED = 0.2  # V
 
 
@@ -314,9 +316,10 @@ def derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
 
 
 def fleet_parameters_of(body: Any, i: int) -> Any:
-    """Parameters of (3), Coulomb friction (3,) and travel lift of helicopter i."""
-    coulomb = body[OF_COULOMB, i], body[OF_COULOMB + 1, i], body[OF_COULOMB + 2, i]
-    return equation_3_parameters(body, i), coulomb, body[LIFT, i]
+    """Parameters of (3), Coulomb friction (3,), travel lift and `Coupling` of helicopter i."""
+    coulomb, k = (body[OF_COULOMB, i], body[OF_COULOMB + 1, i], body[OF_COULOMB + 2, i]), MOMENTS
+    coupling = body[k, i], body[k + 1, i], body[k + 2, i], body[k + 3, i], body[k + 4, i]
+    return equation_3_parameters(body, i), coulomb, body[LIFT, i], coupling
 
 
 def dry(rate: Any, coulomb: Any) -> Any:
@@ -331,9 +334,10 @@ def dry_slope(rate: Any, coulomb: Any) -> Any:
 
 
 def fleet_derivative(x: Any, v: Any, p: Any) -> Any:
-    """State derivative (6,) by (3) with Coulomb friction and travel lift; the table is left out."""
-    own, coulomb, lift = p
-    dq1, ddq1, dq2, ddq2, dq3, ddq3 = dynamics(x, v, own, sin, cos)
+    """State derivative (6,) by (3) with Coulomb friction, lift and moments between the axes; the table is left out."""
+    own, coulomb, lift, coupling = p
+    coupled = with_coupling(x, dynamics(x, v, own, sin, cos), abs(x[1]), own, coupling, sin, cos)
+    dq1, ddq1, dq2, ddq2, dq3, ddq3 = coupled
     return (
         dq1,
         ddq1 - dry(dq1, coulomb[0]),
@@ -346,16 +350,36 @@ def fleet_derivative(x: Any, v: Any, p: Any) -> Any:
 
 def fleet_derivative_adjoint(x: Any, v: Any, p: Any, d: Any) -> Any:
     """Products of d (6,) with the Jacobians of `fleet_derivative`, with respect to x (6,) and v (2,)."""
-    own, coulomb, lift = p
+    own, coulomb, lift, coupling = p
     (d1, d2, d3, d4, d5, d6), d_v = equation_3_adjoint(x, v, own, d)
+    m2, m3, m4, m5, m6 = coupling_adjoint(x, own, coupling, d)
     return (
         d1,
-        d2 - dry_slope(x[1], coulomb[0]) * d[1] + 2.0 * lift * x[1] * d[3],
-        d3,
-        d4 - dry_slope(x[3], coulomb[1]) * d[3],
-        d5,
-        d6 - dry_slope(x[5], coulomb[2]) * d[5],
+        d2 + m2 - dry_slope(x[1], coulomb[0]) * d[1] + 2.0 * lift * x[1] * d[3],
+        d3 + m3,
+        d4 + m4 - dry_slope(x[3], coulomb[1]) * d[3],
+        d5 + m5,
+        d6 + m6 - dry_slope(x[5], coulomb[2]) * d[5],
     ), d_v
+
+
+def coupling_adjoint(x: Any, p: Any, coupling: Any, d: Any) -> Any:
+    """Products of d (6,) with the Jacobian of the moments of `with_coupling`, with respect to x[1:] (5,)."""
+    _, w1, q2, w2, q3, w3 = x
+    centrifugal, centre, spin, gyro, airflow = coupling
+    up, along, s3, c3 = sin(q2 - centre), cos(q2 - centre), sin(q3), cos(q3)
+    reaction = gyro * FOOT_SPREAD * p.b2 / p.b3
+    coriolis_force, swing = 2.0 * centrifugal * up / along, spin * s3 * c3
+    return (
+        coriolis_force * w2 * d[1]
+        - 2.0 * centrifugal * up * along * w1 * d[3]
+        + (2.0 * airflow * abs(w1) - 2.0 * swing * w1 + gyro * s3) * d[5],
+        2.0 * centrifugal * w1 * w2 / (along * along) * d[1] - centrifugal * (along * along - up * up) * w1 * w1 * d[3],
+        coriolis_force * w1 * d[1] + (2.0 * swing * w2 + gyro * c3) * d[5],
+        reaction * w3 * (c3 * d[1] - s3 * d[3])
+        + (gyro * (w1 * c3 - w2 * s3) - spin * (c3 * c3 - s3 * s3) * (w1 * w1 - w2 * w2)) * d[5],
+        reaction * (s3 * d[1] + c3 * d[3]),
+    )
 
 
 def rigid_parameters_of(body: Any, i: int) -> Any:
@@ -758,6 +782,12 @@ class Rollout:
         motors = np.array([[0], [1]])
         return (rows - 1, motors, np.arange(LANES)), (rows, motors, np.arange(LANES))
 
+    def commands(self, t: int) -> np.ndarray:
+        """Commanded voltages (2, LANES) of a control period."""
+        s = self.settings
+        whole = np.clip(self.base[t], s.base_low, s.base_high) + s.scale * self.action[t + 1].astype(float)
+        return np.clip(whole, s.u_low, s.u_high)
+
     def drift(self, t: int) -> None:
         """Set the share of the thrust that is left in a control period."""
         if self.batch.drift is not None:
@@ -786,6 +816,8 @@ class Rollout:
             np.matmul(weights.output, self.h[t + 1], out=self.output)
             self.output += weights.output_bias[:, None]
             np.tanh(self.output, out=self.action[t + 1])
+            if batch.delay is not None:  # may be less than a period
+                self.u[t + delay] = self.commands(t)
             before, motors = (self.u[where] for where in self.arrivals(t))
             self.drift(t)
             k.fly(

@@ -38,7 +38,15 @@ FUNCTIONS: dict[ModuleType, tuple[str, ...]] = {
         "solve_symmetric",
         "rigid_dynamics",
     ),
-    plant: ("friction", "with_friction_and_disturbances", "with_lift", "foot_force", "with_contact", "quantise"),
+    plant: (
+        "friction",
+        "with_friction_and_disturbances",
+        "with_lift",
+        "with_coupling",
+        "foot_force",
+        "with_contact",
+        "quantise",
+    ),
     normal_form: ("internal_dynamics",),
     spline_kernel: ("basis",),
 }

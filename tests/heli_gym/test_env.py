@@ -27,7 +27,7 @@ import heli_gym  # noqa: F401, registers Heli3DOF-v0
 from heli_gym import HelicopterParameters, Trajectory
 from heli_gym.baselines import ManeuverSampler, fly, make_policy
 from heli_gym.env import REFERENCES, Heli3DOFEnv, find_reference
-from heli_gym.plant import Plant, Push, Sensors
+from heli_gym.plant import PLANTS, Plant, Push, Sensors
 from heli_gym.validation import shown
 
 REFERENCE = find_reference("travel-360")
@@ -310,12 +310,15 @@ def test_actions_are_affine_in_the_voltages_on_either_side_of_hover(arguments, z
     assert_allclose(env.to_action(voltage), action, atol=1e-12)
 
 
-def test_hands_off_every_rig_of_the_fleet_stays_in_the_air():
-    env = Heli3DOFEnv("fleet", "climb-7.5")
-    assert env.rig.name == "fleet"
-    assert_allclose(env.hover_voltage, 3.67, atol=0.01)
+def test_at_voltages_within_the_amplifier_every_rig_of_the_fleet_stays_in_the_air():
+    assert Heli3DOFEnv("fleet", "climb-7.5").rig.name == "fleet"
     for seed in range(10):
-        flight = episode(env, seed, [(0.0, 0.0)] * 250)
+        draw = PLANTS["fleet"].draw(np.random.default_rng(seed))
+        env = Heli3DOFEnv(draw, "climb-7.5", rig="fleet")
+        assert_allclose(env.hover_voltage, 3.656, atol=0.01)
+        trimmed = draw.hover_voltage * np.array(draw.rotors.gains) ** (-1.0 / draw.thrust_map.exponent)
+        assert trimmed.max() < env.voltage_limits[1]
+        flight = episode(env, seed, [env.to_action(trimmed)] * 250)
         assert flight[-1][3]
         assert abs(flight[-1][4]["state"][2]) < np.radians(60.0)
 

@@ -30,9 +30,9 @@ export interface RigidBody {
 
 const TINY = 1e-30;
 const COULOMB_RATE = 0.02;
+const FOOT_SPREAD = 0.27;
 const CONTACT_DAMPING = 1.0;
 const CONTACT_FREQUENCY = 30.0;
-const FOOT_SPREAD = 0.27;
 const TURN = 6.283185307179586;
 
 /** Equation (2): thrusts f in N of fans at the voltages u in V, element by element. */
@@ -173,6 +173,16 @@ export function withFrictionAndDisturbances(x: readonly number[], dx: readonly n
 export function withLift(dx: readonly number[], travelLift: number): number[] {
   const [dq1, ddq1, dq2, ddq2, dq3, ddq3] = dx;
   return [dq1, ddq1, dq2, ddq2 + travelLift * dq1 * dq1, dq3, ddq3];
+}
+
+/** Add the moments of `Coupling` to the time derivative dx (6, ...) of the state x. */
+export function withCoupling(x: readonly number[], dx: readonly number[], speed: number, parameters: Parameters, coupling: readonly number[]): number[] {
+  const [, w1, q2, w2, q3, w3] = x;
+  const [dq1, ddq1, dq2, ddq2, dq3, ddq3] = dx;
+  const p = parameters, [centrifugal, centre, spin, gyro, airflow] = coupling;
+  const up = Math.sin(q2 - centre), along = Math.cos(q2 - centre), sine = Math.sin(q3), cosine = Math.cos(q3);
+  const reaction = gyro * FOOT_SPREAD * p.b2 / p.b3 * w3;
+  return [dq1, ddq1 + 2 * centrifugal * up / along * w1 * w2 + reaction * sine, dq2, ddq2 - centrifugal * up * along * w1 * w1 + reaction * cosine, dq3, ddq3 + airflow * speed * w1 - spin * sine * cosine * (w1 * w1 - w2 * w2) + gyro * (w2 * cosine + w1 * sine)];
 }
 
 /** Force in N of the table on a foot that is `depth` rad of elevation below its top and sinks at a rate in rad/s. */

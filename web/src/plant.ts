@@ -9,6 +9,7 @@ import {
   rigidDynamics,
   virtualInput,
   withContact,
+  withCoupling,
   withFrictionAndDisturbances,
   withLift,
 } from "./equations";
@@ -27,6 +28,7 @@ export interface Plant {
   hover_voltage: number | null; // V
   travel_lift: number; // 1/rad
   table: { elevation: number; friction: number } | null;
+  coupling: { centrifugal: number; centre: number; spin: number; gyro: number; airflow: number };
 }
 
 /** An acceleration of one axis (0 travel, 1 elevation, 2 pitch) from a time on, for a while. */
@@ -51,18 +53,24 @@ export interface PlantState {
 const NO_TABLE = 1e3; // rad, an elevation that is never reached
 const NEARLY = 1e-4; // control periods, within which a delay is a whole number of them
 
-/** The value with every range {low, high} and choice {options} in it, however deep, replaced by a draw. */
-export function drawn(value: unknown, random: () => number): unknown {
+/**
+ * The value with every range {low, high} and choice {options} in it, however deep, replaced by a draw.
+ * Choices with the same name in `together` draw the same position; `places` are those drawn so far, in [0, 1).
+ */
+export function drawn(value: unknown, random: () => number, places = new Map<unknown, number>()): unknown {
   if (value === null || typeof value !== "object") return value;
-  if (Array.isArray(value)) return value.map((part) => drawn(part, random));
+  if (Array.isArray(value)) return value.map((part) => drawn(part, random, places));
   if ("options" in value && Array.isArray(value.options)) {
-    return drawn(value.options[Math.floor(random() * value.options.length)], random);
+    const { options, together } = value as { options: unknown[]; together?: string };
+    const place = (together ? places.get(together) : undefined) ?? random();
+    if (together) places.set(together, place);
+    return drawn(options[Math.floor(place * options.length)], random, places);
   }
   if ("low" in value && "high" in value) {
     const { low, high } = value as { low: number; high: number };
     return low + (high - low) * random();
   }
-  return Object.fromEntries(Object.entries(value).map(([name, part]) => [name, drawn(part, random)]));
+  return Object.fromEntries(Object.entries(value).map(([name, part]) => [name, drawn(part, random, places)]));
 }
 
 /** The coefficients and thrust curves of a plant. */
@@ -70,6 +78,10 @@ export function modelOf({ parameters, thrust_map }: Plant): Model {
   const quadratic = { k_plus: parameters.k_plus, k_minus: parameters.k_minus, exponent: 2, dead_zone: 0 };
   const map = thrust_map ?? quadratic;
   return { ...parameters, ...("front" in map ? map : { front: map, back: map }) };
+}
+
+function isCoupled({ coupling }: Plant): boolean {
+  return Object.values(coupling).some((value) => value !== 0);
 }
 
 /** A plant with what follows from it. */
@@ -97,7 +109,7 @@ export function prepared(plant: Plant, period: number, substep: number): Prepare
   const isPlain =
     plant.rig === null && rotors.thrust_loss === 0 && rotors.delay === 0 && rotors.gains.every((gain) => gain === 1) &&
     [...friction.viscous, ...friction.coulomb].every((f) => f === 0) && plant.thrust_map === null && !plant.table &&
-    plant.travel_lift === 0 && plant.disturbances.length === 0 && !sensors?.zeros.some((zero) => zero !== 0);
+    plant.travel_lift === 0 && !isCoupled(plant) && plant.disturbances.length === 0 && !sensors?.zeros.some((zero) => zero !== 0);
   const shares: Pair = [scale * rotors.gains[0], scale * rotors.gains[1]];
   return { plant, model, shares, periods, rest, steps: (isPushed) => (isPlain && !isPushed ? 1 : Math.ceil(period / substep - 1e-9)) };
 }
@@ -132,6 +144,8 @@ export function advance(
   const { rotors, friction, rig, table } = plant;
   const count = steps(isPushed);
   const contact = table ? [table.elevation, table.friction] : [NO_TABLE, 0];
+  const { centrifugal, centre, spin, gyro, airflow } = plant.coupling;
+  const coupling = isCoupled(plant) && [centrifugal, centre, spin, gyro, airflow];
   const [arriving, ...pending] = [...state.pending, command];
   let { x, motors, rotors: speeds } = state;
 
@@ -156,8 +170,9 @@ export function advance(
       const derivative = (at: readonly number[], v: Pair) => {
         const free = rig === null ? dynamics(at, v, plant.parameters) : rigidDynamics(at, v, rig);
         const dx = withFrictionAndDisturbances(at, free, friction.viscous, friction.coulomb, torques);
-        if (!table && plant.travel_lift === 0) return dx;
-        return withLift(withContact(at, dx, plant.parameters, contact), plant.travel_lift);
+        if (!table && plant.travel_lift === 0 && !coupling) return dx;
+        const lifted = withLift(withContact(at, dx, plant.parameters, contact), plant.travel_lift);
+        return coupling ? withCoupling(at, lifted, Math.abs(at[1]), plant.parameters, coupling) : lifted;
       };
       x = rk4Step(derivative, x, [input(speeds), input(middle), input(end)], h);
       speeds = end;
