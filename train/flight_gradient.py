@@ -784,7 +784,7 @@ class Rollout:
 
     def commands(self, t: int) -> np.ndarray:
         """Commanded voltages (2, LANES) of a control period."""
-        s = self.settings
+        s = self.task.settings
         whole = np.clip(self.base[t], s.base_low, s.base_high) + s.scale * self.action[t + 1].astype(float)
         return np.clip(whole, s.u_low, s.u_high)
 
