@@ -17,19 +17,15 @@ import heli_gym
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.model import thrust
 from heli_gym.parameters import Limits
-from heli_gym.rendering import (
-    ARROW,
+from heli_gym.rendering import ARROW, EYE, GHOST, LIMIT, OVERSAMPLING, Renderer, RenderState, travel_interval
+from heli_gym.rig import PAPER as PAPER_RIG
+from heli_gym.rig import find_rig
+from heli_gym.rig_geometry import (
     BACK,
-    EYE,
     FRONT,
-    GHOST,
-    LIMIT,
-    OVERSAMPLING,
     RIG,
     ROTOR_HEIGHT,
     Camera,
-    Renderer,
-    RenderState,
     arrow,
     box,
     circle,
@@ -41,11 +37,8 @@ from heli_gym.rendering import (
     project,
     rotors,
     shadows,
-    travel_interval,
     tube,
 )
-from heli_gym.rig import PAPER as PAPER_RIG
-from heli_gym.rig import find_rig
 from heli_gym.rigid_body import mjcf
 
 HOVER_THRUST = 0.5 * 0.3946 / 0.6523  # N, of each rotor
