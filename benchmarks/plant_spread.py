@@ -99,16 +99,24 @@ EFFECTS: dict[str, Callable[[Plant], float]] = {
     "thrust lost in 20 s (%)": drift,
 }
 
+PAIRS = (  # of numbers that go together on the rigs
+    ("a1 (rad/s²)", lambda p: p.parameters.a1, "centrifugal moment", lambda p: p.coupling.centrifugal),
+    ("dead time (s)", lambda p: p.rotors.delay, "gyroscopic moment (1/s)", lambda p: p.coupling.gyro),
+    ("b1 : b2", lambda p: p.parameters.b1 / p.parameters.b2, "airflow (1/rad)", lambda p: p.coupling.airflow),
+)
+PAIRED = 300  # draws
+
 
 @styled
 def picture(rigs: dict[str, Rig]) -> Figure:
-    """Range of each effect over draws of each plant (bars), and the identified rigs (dots)."""
-    figure = Figure(figsize=(11.0, 8.6))
+    """Range of each effect over draws of each plant (bars), and the identified rigs (dots); pairs on `fleet`."""
+    figure = Figure(figsize=(11.0, 11.0))
     draws = {
         name: [PLANTS[name].draw(np.random.default_rng(HELD_OUT_SEED + i)) for i in range(DRAWS)] for name in NAMES
     }
     identified = [Plant.from_rig(rig) for rig in rigs.values()]
-    for axes, (title, effect) in zip(figure.subplots(6, 3).ravel(), EFFECTS.items()):
+    panels = figure.subplots(7, 3, gridspec_kw={"height_ratios": [1.0] * 6 + [2.0]})
+    for axes, (title, effect) in zip(panels.ravel(), EFFECTS.items()):
         for i, name in enumerate(NAMES):
             values = [effect(p) for p in draws[name]]
             marker = "-" if np.ptp(values) else "s"  # a single value
@@ -118,7 +126,13 @@ def picture(rigs: dict[str, Rig]) -> Figure:
         values = measured_drift() if effect is drift else [effect(p) for p in identified]
         axes.plot(values, [-1] * len(values), "o", color=BLUE, alpha=0.7)
         axes.set(title=title, ylim=(-1.7, 3.7), yticks=range(-1, 4), yticklabels=["measured", *NAMES[::-1]])
-
+    for axes, (x_name, x, y_name, y) in zip(panels[-1], PAIRS):
+        for plants, style in (
+            (draws["fleet"][:PAIRED], {"color": RED, "alpha": 0.25, "markersize": 3.0}),
+            (identified, {"color": BLUE}),
+        ):
+            axes.plot([x(p) for p in plants], [y(p) for p in plants], "o", **style)
+        axes.set(xlabel=x_name, ylabel=y_name)
     return figure
 
 
