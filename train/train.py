@@ -65,7 +65,7 @@ SCRATCH = "middle-voltage"  # base of an agent that flies alone: the middle of t
 class Args:
     """Train an agent. Settings without a value have the learner's default; see `DEFAULTS`."""
 
-    algo: Literal["apg", "ppo", "sac", "td3", "tqc"] = "apg"
+    algo: Literal["apg", "ppo", "recurrent-ppo", "sac", "td3", "tqc"] = "apg"
     plant: str = "lab"  # plant of the training, lab, rigid or fleet; every flight draws it anew
     mode: Literal["residual", "scratch"] = "residual"  # correct the base policy, or fly alone
     base: str = ""  # policy to correct; by default "feedforward+tvlqr@PLANT", the paper's with weights for the plant
@@ -84,7 +84,7 @@ class Args:
     envs: int | None = None  # number of parallel helicopters
     chunk: int | None = None  # control periods of each helicopter between two validations
     init: Path | None = None  # APG: learned policy (.json) with the initial network
-    cell: int = 96  # APG: hidden states of its GRU cell
+    cell: int = 96  # APG and recurrent PPO: hidden states of the GRU cell
     hidden: tuple[int, ...] = (64, 64)  # other learners: neurons of the layers
     learning_rate: float | None = None  # initial value; it falls linearly to a twentieth
     max_grad_norm: float = 2.0  # APG: greatest norm of the clipped gradient
@@ -121,7 +121,7 @@ DEFAULTS: dict[str, dict[str, Any]] = {
         "chunk": 15_000,
         "learning_rate": 4e-3,
     },
-    **dict.fromkeys(("ppo", "sac", "td3", "tqc"), OF_STABLE_BASELINES),
+    **dict.fromkeys(("ppo", "recurrent-ppo", "sac", "td3", "tqc"), OF_STABLE_BASELINES),
 }
 
 
@@ -173,7 +173,7 @@ def check(args: CompleteArgs) -> None:
         raise ValueError("mode = 'scratch': must be 'residual' for apg, which differentiates a base policy")
     if not 0 <= args.seed < 10_000:
         raise ValueError(f"seed = {args.seed}: must be 0 to 9999")
-    if args.algo == "ppo" and args.chunk % args.rollout:
+    if args.algo in ("ppo", "recurrent-ppo") and args.chunk % args.rollout:
         raise ValueError(f"chunk = {args.chunk}: must be a multiple of rollout = {args.rollout}")
     # Seeds of `learn`: no chunk uses the draws of another run or of the validation.
     chunks, draws = chunks_of(args), draws_of(args)
@@ -334,20 +334,27 @@ def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
         "device": "cpu",
     }
     networks: dict[str, Any] = {"net_arch": list(args.hidden), "activation_fn": torch.nn.Tanh}
-    if args.algo == "ppo":
-        return PPO(
-            AsymmetricPolicy,
-            helicopters,
-            n_steps=args.rollout,
-            batch_size=args.batch,
-            n_epochs=args.epochs,
-            gae_lambda=args.gae_lambda,
-            # White noise at 50 Hz hardly moves a helicopter; exploration with constant weights does.
-            use_sde=True,
-            sde_sample_freq=args.hold,
-            policy_kwargs={**networks, "log_std_init": args.log_std, "n_actor_features": helicopters.n_actor_features},
+    if args.algo in ("ppo", "recurrent-ppo"):
+        on_policy = {
             **common,
-        )
+            "n_steps": args.rollout,
+            "batch_size": args.batch,
+            "n_epochs": args.epochs,
+            "gae_lambda": args.gae_lambda,
+            # White noise at 50 Hz hardly moves a helicopter; exploration with constant weights does.
+            "use_sde": True,
+            "sde_sample_freq": args.hold,
+        }
+        exploration = {"log_std_init": args.log_std}
+        if args.algo == "ppo":
+            kwargs = {**networks, **exploration, "n_actor_features": helicopters.n_actor_features}
+            return PPO(AsymmetricPolicy, helicopters, policy_kwargs=kwargs, **on_policy)
+        from sb3_contrib import RecurrentPPO
+
+        from heli_gym.train.recurrent import GruPolicy
+
+        kwargs = {**exploration, "lstm_hidden_size": args.cell}
+        return RecurrentPPO(GruPolicy, helicopters, policy_kwargs=kwargs, **on_policy)
     # one gradient step per control period of all helicopters, with a large batch
     off_policy = {"buffer_size": args.buffer, "batch_size": 1024, "train_freq": 1, "gradient_steps": 1}
     env_kwargs: dict[str, Callable] = {"sac": SAC, "td3": TD3}
@@ -371,7 +378,10 @@ def network_of(agent: APG | BaseAlgorithm) -> Network | RecurrentNetwork:
     if isinstance(agent, APG):
         return apg.network_of(agent.policy)
     policy: Any = agent.policy
-    if isinstance(agent, PPO):
+    recurrent = hasattr(policy, "lstm_actor")
+    if recurrent:
+        modules, tanh_output = [policy.action_net], False
+    elif isinstance(agent, PPO):
         modules, tanh_output = [*policy.mlp_extractor.policy_net, policy.action_net], False
     elif isinstance(agent, TD3):
         modules, tanh_output = [*policy.actor.mu], True
@@ -381,7 +391,10 @@ def network_of(agent: APG | BaseAlgorithm) -> Network | RecurrentNetwork:
     weights, biases = (
         [getattr(layer, name).detach().numpy().astype(float) for layer in layers] for name in ("weight", "bias")
     )
-    return Network(tuple(weights), tuple(biases), tanh_output)
+    network = Network(tuple(weights), tuple(biases), tanh_output)
+    if not recurrent:
+        return network
+    return RecurrentNetwork(*(t.detach().numpy().astype(float) for t in policy.lstm_actor.parameters()), network)
 
 
 def validate(
@@ -566,7 +579,7 @@ def learned_settings(args: CompleteArgs, agent: APG | BaseAlgorithm) -> Learned:
         control_period=CONTROL_PERIOD,
         features=first_layer.shape[1],
         hidden=() if recurrent else args.hidden,
-        tanh_output=args.algo != "ppo",
+        tanh_output=args.algo not in ("ppo", "recurrent-ppo"),
         feature_groups=residual.feature_groups,
         law=residual.law,
         ahead=residual.ahead,

@@ -107,6 +107,19 @@ def test_the_network_for_numpy_is_the_agents(algo):
     assert np.abs(actual).max() < 0.1  # the agent starts from the base policy
 
 
+def test_the_recurrent_network_for_numpy_is_that_of_recurrent_ppo_over_a_flight():
+    vec = helicopters(n=3)
+    agent = make_agent(replace(SMALL, algo="recurrent-ppo", cell=8), vec)
+    network, hidden, state = network_of(agent), np.zeros((8, 3)), None
+    rng = np.random.default_rng(0)
+    for _ in range(20):
+        observations = rng.uniform(-2, 2, (3, vec.observation_space.shape[0])).astype(np.float32)
+        expected, state = agent.predict(observations, state, deterministic=True)
+        actual, hidden = network(observations.T.astype(float), hidden)
+        assert_allclose(actual.T, expected, atol=1e-6)
+    assert np.abs(actual).max() < 0.1  # the agent starts from the base policy
+
+
 def test_the_adapter_wants_the_autoreset_mode_of_stable_baselines():
     with pytest.raises(ValueError, match="SameStep"):
         HeliVecEnv(Heli3DOFVectorEnv(2))
@@ -122,7 +135,9 @@ def without_time(path):
 
 
 @pytest.mark.parametrize(
-    "args", [SMALL, replace(SMALL, algo="sac", buffer=2000), SMALL_APG], ids=lambda args: args.algo
+    "args",
+    [SMALL, replace(SMALL, algo="recurrent-ppo", cell=8), replace(SMALL, algo="sac", buffer=2000), SMALL_APG],
+    ids=lambda args: args.algo,
 )
 def test_an_interrupted_run_goes_on_to_the_same_weights(tmp_path, args):
     console = Console(quiet=True)
