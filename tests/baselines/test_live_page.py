@@ -69,6 +69,28 @@ def test_dark_and_light_follow_the_readers_preference_and_print_is_light(page):
 
 
 @pytest.mark.slow
+def test_in_print_helicopters_stand_as_on_the_screen_and_nothing_is_wider_than_its_place(page):
+    script = """
+        await open();
+        const rows = () =>
+          page.locator(".view:visible").evaluateAll((all) => new Set(all.map((one) => one.offsetTop)).size);
+        const onScreen = await rows();
+        await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+        await page.emulateMedia({media: "print"});
+        await page.setViewportSize({width: 690, height: 900});
+        const wide = await page.evaluate(() =>
+          [...document.querySelectorAll("figure canvas, figure svg, .figure math")]
+            .map((one) => [one, one.closest("figure, .figure")])
+            .filter(([one, place]) => one.getBoundingClientRect().width > place.getBoundingClientRect().width + 1)
+            .map(([one]) => one.outerHTML.slice(0, 80)));
+        return {onScreen, printed: await rows(), wide, drawn: await page.locator("figure canvas").count()};
+    """
+    seen = drive(page, script)
+    assert (seen["onScreen"], seen["printed"], seen["wide"]) == (1, 1, [])
+    assert seen["drawn"] > 6
+
+
+@pytest.mark.slow
 def test_every_control_can_be_used_with_every_rig(page):
     """`in_browser` fails on any error or warning of the page."""
     script = """

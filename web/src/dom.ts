@@ -31,6 +31,18 @@ export function themed(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
+/** Whether the page is being printed: pictures then stay as they were drawn for the screen. */
+export const printing = () => matchMedia("print").matches;
+
+/** Draws everything before printing, and gives a stage the proportions that it has on the screen. */
+export function onPrint(stage: HTMLElement, drawAll: () => void): void {
+  window.addEventListener("beforeprint", () => {
+    stage.style.setProperty("--aspect", `${stage.clientWidth} / ${stage.clientHeight}`);
+    stage.style.setProperty("--columns", `${getComputedStyle(stage).gridTemplateColumns.split(" ").length}`);
+    drawAll();
+  });
+}
+
 /** Calls back when the reader's preference for light or dark changes, and for printing, which is always light. */
 export function onTheme(change: () => void): void {
   for (const query of ["(prefers-color-scheme: dark)", "print"]) matchMedia(query).addEventListener("change", change);

@@ -1,6 +1,6 @@
 // The live page: the helicopter simulated here, flown by the policies side by side along a plan that is chosen here.
 
-import { FrameMeter, View, deg, isForControl, keyHelp, make, onTheme, shown } from "./dom";
+import { FrameMeter, View, deg, isForControl, keyHelp, make, onPrint, onTheme, shown } from "./dom";
 import {
   EFFECTS,
   EFFECT_NAMES,
@@ -512,6 +512,13 @@ export function showLive(data: LiveData, main: HTMLElement): void {
     });
     stage?.draw(poses, seconds);
   }
+
+  onPrint(stageElement, () => {
+    fly(false);
+    plots.forEach((_, i) => refresh(i));
+    paper.refresh(flights, time, true);
+    draw(0);
+  });
 
   let last = performance.now();
   let turn = 0;

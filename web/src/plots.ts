@@ -1,7 +1,7 @@
 // Plots over time: uPlot with limits as shaded bands, a playhead that the keyboard moves too, and values that follow it.
 
 import uPlot from "uplot";
-import { make, onTheme, shown, themed } from "./dom";
+import { make, onTheme, printing, shown, themed } from "./dom";
 import { dashOf, shapeOf, swatch } from "./marks";
 
 export interface Line {
@@ -107,7 +107,8 @@ export class Plot {
       this.place.addEventListener("keydown", (event) => this.key(event, onTime));
     }
     if (sync) groups.set(sync, [...(groups.get(sync) ?? []), this]);
-    new ResizeObserver(() => this.plot.setSize({ width: this.place.clientWidth, height: this.place.clientHeight })).observe(this.place);
+    const fit = () => printing() || this.plot.setSize({ width: this.place.clientWidth, height: this.place.clientHeight });
+    new ResizeObserver(fit).observe(this.place);
     onTheme(() => this.plot.redraw(false));
   }
 
@@ -197,7 +198,7 @@ export class Plot {
   private visible(low: number, high: number, least?: readonly [number, number]): [number, number] {
     const from = Math.min(low, least?.[0] ?? low);
     const to = Math.max(high, least?.[1] ?? high);
-    const margin = Math.max(0.07 * (to - from), 1e-6);
+    const margin = Math.max(0.07 * (to - from), 0.01);
     return [from - margin, to + margin];
   }
 

@@ -1,6 +1,6 @@
 // The report of an evaluation: its table, and its flights to look at in 3D and in plots.
 
-import { FrameMeter, View, deg, isForControl, keyHelp, make, onTheme, scrollable, shown } from "./dom";
+import { FrameMeter, View, deg, isForControl, keyHelp, make, onPrint, onTheme, scrollable, shown } from "./dom";
 import { Histograms } from "./histogram";
 import type { RigidBody } from "./equations";
 import { type Model, type Pair, inputAt, thrustBounds } from "./model";
@@ -293,6 +293,11 @@ export function showReport(data: ReportData, main: HTMLElement): void {
     playing = on;
     playButton.textContent = on ? "Pause" : "Play";
   }
+
+  onPrint(stageElement, () => {
+    play(false);
+    draw(0);
+  });
 
   let last = performance.now();
   function frame(now: number): void {

@@ -25,7 +25,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
-import { onTheme, themed } from "./dom";
+import { onTheme, printing, themed } from "./dom";
 import type { RigidBody } from "./equations";
 import { type Model, type Pair, thrusts } from "./model";
 
@@ -80,6 +80,7 @@ export class Stage {
   private fits = false; // whether the drawing has the size of the canvas
   private readonly places = new Map<HTMLElement, { left: number; bottom: number; width: number; height: number }>();
   private readonly resized = new ResizeObserver(() => {
+    if (printing()) return;
     this.places.clear();
     this.fits = false;
     this.moved = true;
