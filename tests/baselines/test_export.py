@@ -6,7 +6,6 @@ import subprocess
 
 import numpy as np
 import pytest
-from learned import needs_fleet_network
 from numpy.testing import assert_allclose
 from scipy.io import loadmat
 
@@ -110,7 +109,6 @@ def test_c_answers_as_python_does_on_any_thrust_map(name, rig, tmp_path):
 
 
 @needs_cc
-@needs_fleet_network
 def test_c_flies_the_correction_of_the_fleet_as_python_does(tmp_path):
     reference = reference_for("travel-360", "fleet")
     policy = make_policy("residual", reference, PERIOD)

@@ -4,7 +4,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from learned import needs_fleet_network
 from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym.baselines import fly, make_policy
@@ -97,12 +96,11 @@ def test_the_policies_of_the_package_are_those_of_the_first_seed(name, plant, fo
         assert_array_equal(a, b)
 
 
-@needs_fleet_network
 def test_on_the_fleets_rig_the_correction_is_the_fleets_and_helps():
     reference = reference_for("travel-360", "fleet")
     envs = Heli3DOFVectorEnv(8, "fleet", reference, start_spread_deg=5.0, rig="fleet")
     policy = make_policy("residual", reference)
-    assert policy.network.size == 64 and policy.scale == 20.0
+    assert policy.network.size == 64 and policy.scale == 10.4
 
     def travel_error(policy):
         flights = fly_many(envs, policy, VALIDATION_SEED)
@@ -119,7 +117,7 @@ def test_a_recurrent_policy_flies_many_as_it_flies_each_and_forgets_at_a_reset()
         assert_allclose(fly(env, policy, seed=7 + k).x, flight.x, atol=1e-6)
 
 
-@pytest.mark.parametrize("rig", ["paper", pytest.param("fleet", marks=needs_fleet_network)])
+@pytest.mark.parametrize("rig", ["paper", "fleet"])
 def test_the_step_of_one_helicopter_is_that_of_many_even_far_from_the_reference(rig):
     rng = np.random.default_rng(0)
     alone, together = (make_policy("residual", reference_for("travel-360", rig)) for _ in range(2))
