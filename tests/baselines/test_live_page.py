@@ -9,6 +9,7 @@ from browser import DESKTOP, PHONE, SOURCES, check_accessible, in_browser, in_no
 
 from heli_gym.baselines.commands import demo
 
+STILL = 'await page.emulateMedia({reducedMotion: "reduce"}); await page.reload();'  # no flight starts by itself
 SMALL = 'await page.addStyleTag({content: ".live .view { height: 30px !important }"});'
 HELP = """
 const slide = async (id, to) => page.locator(id).evaluate((input, value) => {
@@ -40,8 +41,7 @@ def page(tmp_path_factory):
 
 
 def drive(page, script, size=DESKTOP):
-    still = 'await page.emulateMedia({reducedMotion: "reduce"}); await page.reload();'  # and so costs nothing
-    return in_browser(page, still + HELP + SMALL + script, size)
+    return in_browser(page, STILL + HELP + SMALL + script, size)
 
 
 @pytest.mark.parametrize("size", [DESKTOP, PHONE])
@@ -287,7 +287,7 @@ def test_the_flights_are_saved_as_numbers_and_as_a_picture_and_the_numbers_can_b
         await toEnd();
         const clock = await text(".clock");
         await drop("t,travel\\n0,1\\n1,2\\n");
-        await page.waitForTimeout(200);
+        await page.waitForFunction(() => document.querySelector("aside").textContent.includes("must have a column"));
         const refusal = await page.locator("fieldset", {hasText: "Files"}).locator("[role=status]").textContent();
         await page.locator("button", {hasText: "back to the plan"}).click();
         return {csv, png, note, shown, clock, refusal, duration: await page.locator("#duration").isVisible()};
@@ -320,12 +320,16 @@ def test_dragging_a_body_pushes_it_and_dragging_elsewhere_turns_the_view(page):
         await page.locator("#policy-1").uncheck();
         await page.locator("#policy-2").uncheck();
         await page.locator("#speed").selectOption("0.25");
-        await page.waitForTimeout(1200);
+        await drawn();
         const stage = await page.locator(".stage").boundingBox();
-        const numbers = () => page.locator(".view:visible .numbers").textContent();
-        const pitch = async () => parseFloat(/pitch (-?[\\d.]+)/.exec((await numbers()).replaceAll("\\u2212", "-"))[1]);
-        const plan = async () => parseFloat((await page.locator("figure", {hasText: "pitch (deg)"}).first()
-          .locator(".value").last().textContent()).replace("\\u2212", "-"));
+        const offPlan = () => page.evaluate(() => {
+          const shown = [...document.querySelectorAll(".view .numbers")].find((part) => part.offsetParent);
+          const plots = [...document.querySelectorAll("figure")];
+          const plot = plots.find((part) => part.textContent.includes("pitch (deg)"));
+          const number = (text) => parseFloat(text.replace("\u2212", "-"));
+          const pitch = number(/pitch (.*)/.exec(shown.textContent)[1]);
+          return pitch - number([...plot.querySelectorAll(".value")].pop().textContent);
+        });
         // find the body: the cursor changes where a drag would push
         let pushed = null;
         for (let x = 0.3; x < 0.75 && !pushed; x += 0.05) {
@@ -336,17 +340,21 @@ def test_dragging_a_body_pushes_it_and_dragging_elsewhere_turns_the_view(page):
             else await page.mouse.up();
           }
         }
-        const before = await pitch() - await plan();
+        const before = await offPlan();
         await page.mouse.move(stage.x + pushed[0] * stage.width + 120, stage.y + pushed[1] * stage.height, {steps: 4});
-        await page.waitForTimeout(2500);
-        const during = await pitch() - await plan();
+        let during = before;
+        while (during - before < 2.0 && parseFloat(await text(".clock")) < 5.0) {
+          await drawn();
+          during = await offPlan();
+        }
         await page.mouse.up();
         const released = await page.locator(".stage.pushing").count();
         return {before, during, pushed, released};
     """
-    seen = in_browser(page, HELP + script)
+    seen = in_browser(page, STILL + HELP + script)
     assert seen["pushed"]
     assert seen["released"] == 0
+    assert abs(seen["before"]) < 0.5
     assert seen["during"] - seen["before"] > 2.0
 
 
@@ -364,7 +372,7 @@ def test_plots_and_the_3d_view_are_used_by_keyboard_and_described_in_words(page)
         await page.locator("canvas").first().focus();
         const before = await picture();
         await page.keyboard.press("ArrowLeft");
-        await page.waitForTimeout(400);
+        await drawn();
         return {words, clock, play, turned: before !== await picture(),
                 label: await page.locator("canvas").first().getAttribute("aria-label")};
     """

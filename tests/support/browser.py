@@ -1,9 +1,11 @@
 """The pages in node and in Chromium. Where these are missing, tests are skipped, unless HELI_BROWSER_TESTS is set."""
 
+import atexit
 import json
 import os
 import shutil
 import subprocess
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -44,18 +46,27 @@ def in_node(expression: str, **data):
     return json.loads(child.stdout)
 
 
+@cache
+def driver() -> subprocess.Popen:
+    """The node process that drives Chromium for all tests; it ends with its input."""
+    installed("playwright-core")
+    command = [tool("node"), str(SOURCES / "browser.mjs")]
+    child = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    atexit.register(child.communicate)
+    return child
+
+
 def in_browser(path: Path, script: str, size: tuple[int, int] = DESKTOP):
     """What a script returns that drives a page, which must neither complain nor ask for anything from a network.
 
     The script is the body of an async function of Playwright's `page`.
     """
-    installed("playwright-core")
     order = {"url": path.absolute().as_uri(), "width": size[0], "height": size[1], "script": script}
-    command = [tool("node"), str(SOURCES / "browser.mjs")]
-    order["executable"] = tool("chromium")
-    child = subprocess.run(command, input=json.dumps(order), capture_output=True, text=True, timeout=300)
-    assert child.returncode == 0, child.stderr
-    answer = json.loads(child.stdout)
+    child = driver()
+    child.stdin.write(json.dumps({**order, "executable": tool("chromium")}) + "\n")
+    child.stdin.flush()
+    answer = json.loads(child.stdout.readline())
+    assert "failure" not in answer, answer["failure"]
     # The driver remarks on how slow it is to read pixels back where there is no GPU.
     errors = [error for error in answer["errors"] if "GPU stall due to ReadPixels" not in error]
     assert errors == [], errors
