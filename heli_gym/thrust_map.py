@@ -4,6 +4,7 @@ Each curve has `thrust`, its exact inverse `voltage`, and `slope`, all for array
 law itself is `heli_gym.model.power_thrust`, shared with the compiled kernels.
 """
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple, TypeAlias
@@ -15,8 +16,9 @@ from heli_gym.parameters import Scalar
 from heli_gym.validation import is_number, require, shown
 
 EXPONENTS = (0.5, 2.0)  # identified rigs have 1.72 to 2; (2) has 2, a linear map 1
-# Bounds of measured curves, beyond any laboratory rig.
+# Bounds of curves, beyond any laboratory rig.
 MOST_VOLTS, MOST_NEWTONS, MOST_POINTS, LEAST_STEP = 1000.0, 1e4, 10_000, 1e-3
+MOST_PER_VOLT = 1e4  # N/V^exponent
 ITERATIONS = 80  # at most, of bisection when a cubic is inverted; Newton's method takes about six
 
 
@@ -55,14 +57,21 @@ class PowerCurve(NamedTuple):
         return np.where((beyond > 0.0) | (self.dead_zone == 0.0), steepness, 0.0)
 
     def check(self, name: str) -> None:
-        """Raise ValueError unless the coefficients give a rising curve."""
-        for field in ("k_plus", "k_minus", "exponent", "dead_zone"):
-            require(f"{name}.{field}", getattr(self, field), True, "a number")
-        require(f"{name}.k_plus", self.k_plus, self.k_plus > 0.0, "a positive number")
-        require(f"{name}.k_minus", self.k_minus, self.k_minus <= 0.0, "a negative number, or 0 without backward thrust")
+        """Raise ValueError unless the coefficients give a rising curve, within the bounds of curves."""
         low, high = EXPONENTS
-        require(f"{name}.exponent", self.exponent, low <= self.exponent <= high, f"{low:g} to {high:g}")
-        require(f"{name}.dead_zone", self.dead_zone, self.dead_zone >= 0.0, "a number of volts, at least 0")
+        bounds = {
+            "k_plus": (math.ulp(0.0), MOST_PER_VOLT, f"a positive number, at most {MOST_PER_VOLT:g}"),
+            "k_minus": (
+                -MOST_PER_VOLT,
+                0.0,
+                f"a negative number, at least {-MOST_PER_VOLT:g}, or 0 without backward thrust",
+            ),
+            "exponent": (low, high, f"{low:g} to {high:g}"),
+            "dead_zone": (0.0, MOST_VOLTS, f"a number of volts, at least 0 and at most {MOST_VOLTS:g}"),
+        }
+        for field, (least, most, what) in bounds.items():
+            value = getattr(self, field)
+            require(f"{name}.{field}", value, is_number(value) and least <= value <= most, what)
 
 
 @dataclass(frozen=True)

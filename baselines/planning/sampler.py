@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from heli_gym.baselines.planning import spline
-from heli_gym.baselines.planning.feasibility import validated
+from heli_gym.baselines.planning.feasibility import InfeasibleManeuver, validated
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.rig import Rig
 from heli_gym.trajectory import Maneuver, Trajectory
 from heli_gym.validation import real_array, shown
 
-DRAWS = 1000  # largest number until a plan is found
+DRAWS = 200  # largest number until a plan is found
 
 
 @dataclass(frozen=True)
@@ -55,13 +55,29 @@ class ManeuverSampler:
         return Maneuver((0.0, start), (travel, goal), self.duration, self.limits, parameters, self.rig)  # type: ignore
 
     def __call__(self, rng: np.random.Generator) -> Trajectory:
-        """Plan a random transition. Raises RuntimeError if DRAWS transitions have no plan in this duration."""
+        """Plan a random transition. Raises InfeasibleManeuver if DRAWS of them have no plan in this duration."""
         for _ in range(DRAWS):
             # numpy refuses the range from 0.0 to -0.0
             travel, elevation = (np.add(ends, 0.0) for ends in (self.travel, self.elevation))
             start, goal = rng.uniform(elevation[0], elevation[1], size=2)
             maneuver = self.maneuver(rng.uniform(travel[0], travel[1]), start, goal)
+            if exceeds_path_limits(maneuver):
+                continue  # the planner would find out a hundred times slower
             trajectory = validated(maneuver, spline.plan_smoothest(maneuver))
             if trajectory is not None:
                 return trajectory
-        raise RuntimeError(f"none of {DRAWS} draws of {self} could be planned; a longer duration is easier")
+        raise InfeasibleManeuver(
+            f"none of {DRAWS} draws of {self} could be planned; a longer duration or a smaller travel is easier"
+        )
+
+
+def exceeds_path_limits(maneuver: Maneuver) -> bool:
+    """Whether the ends of a transition are outside its limits of elevation, or its mean rates above those of rates."""
+    limits, (travel, rise) = maneuver.limits, np.abs(np.subtract(maneuver.goal, maneuver.start))
+    elevations = maneuver.start[1], maneuver.goal[1]
+    return (
+        (limits.elevation_min is not None and min(elevations) < limits.elevation_min)
+        or (limits.elevation_max is not None and max(elevations) > limits.elevation_max)
+        or (limits.travel_rate is not None and travel > limits.travel_rate * maneuver.duration)
+        or (limits.elevation_rate is not None and rise > limits.elevation_rate * maneuver.duration)
+    )

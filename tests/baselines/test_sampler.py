@@ -9,7 +9,8 @@ from independent import replay
 from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym import Limits
-from heli_gym.baselines import ManeuverSampler
+from heli_gym.baselines import InfeasibleManeuver, ManeuverSampler
+from heli_gym.baselines.planning import sampler as sampler_module
 
 SAMPLER = ManeuverSampler(duration=10.0)
 
@@ -61,5 +62,15 @@ def test_invalid_ranges_are_named(arguments, said):
 def test_where_hardly_anything_can_be_planned_it_says_so(monkeypatch):
     monkeypatch.setattr("heli_gym.baselines.planning.sampler.DRAWS", 3)
     hasty = ManeuverSampler(duration=2.0, travel=(3.0, 6.0), limits=Limits())
-    with pytest.raises(RuntimeError, match=r"none of 3 draws .* longer duration"):
+    with pytest.raises(InfeasibleManeuver, match=r"none of 3 draws .* longer duration"):
         hasty(np.random.default_rng(0))
+
+
+def test_draws_that_cannot_meet_their_path_limits_are_not_planned(monkeypatch):
+    limits = Limits(elevation_min=-0.02, travel_rate=0.4)
+    sampler, drawn = ManeuverSampler(10.0, (0.0, 6.0), (-0.05, 0.05), limits), []
+    found = [sampler(np.random.default_rng(seed)) for seed in range(4)]
+    monkeypatch.setattr(sampler_module, "exceeds_path_limits", lambda maneuver: drawn.append(maneuver))
+    for seed, plan in enumerate(found):
+        assert_array_equal(sampler(np.random.default_rng(seed)).x, plan.x)
+    assert len(drawn) > 2 * len(found)

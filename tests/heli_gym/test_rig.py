@@ -163,6 +163,12 @@ def test_masses_that_make_no_rig_are_refused_by_name(change, message):
         ({"delay": math.inf}, r"delay = inf: must be"),
         ({"sensor_signs": (1, 2, 1)}, r"sensor_signs = 2: must be"),
         ({"sensor_zeros": (0.0, math.nan, 0.0)}, r"sensor_zeros = nan: must be"),
+        ({"parameters": HelicopterParameters(k_plus=1e300)}, r"thrust_map.front.k_plus = 1e\+300: must be a positive"),
+        ({"parameters": HelicopterParameters(k_minus=-1e300)}, r"thrust_map.front.k_minus = -1e\+300: must be a neg"),
+        (
+            {"thrust_map": ThrustMap(*[PowerCurve(1.0, dead_zone=1e9)] * 2)},
+            r"thrust_map.front.dead_zone = 1000000000.0",
+        ),
         ({"thrust_map": 3}, r"thrust_map = 3: must be a ThrustMap"),
         ({"limits": (1.0, 11.0)}, r"limits = \(1.0, 11.0\): must be Limits"),
         ({"name": 3}, r"name = 3: must be text"),

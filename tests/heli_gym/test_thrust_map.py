@@ -108,7 +108,7 @@ def test_front_and_back_rotor_have_curves_of_their_own():
         (PowerCurve(0.1, 0.1), r"thrust_map.front.k_minus = 0.1: must be a negative"),
         (PowerCurve(0.1, -0.1, 2.5), r"thrust_map.front.exponent = 2.5: must be 0.5 to 2"),
         (PowerCurve(0.1, -0.1, 1.0, -1.0), r"thrust_map.front.dead_zone = -1.0: must be"),
-        (PowerCurve(np.nan), r"thrust_map.front.k_plus = nan: must be a number, and finite"),
+        (PowerCurve(np.nan), r"thrust_map.front.k_plus = nan: must be a positive number, .*and finite"),
         (TableCurve((0.0, 1.0, 1.0), (0.0, 0.1, 0.2)), r"thrust_map.front.voltages = .*must rise"),
         (TableCurve((0.0, 1.0, 2.0), (0.0, 0.2, 0.1)), r"thrust_map.front.thrusts = .*must not fall"),
         (TableCurve((0.0, 1.0), (0.0,)), r"thrust_map.front.thrusts = .*as many"),
