@@ -155,7 +155,8 @@ class Slot:
                 self.kill()
         others = set(multiprocessing.active_children())
         self.pool = ProcessPoolExecutor(1, multiprocessing.get_context("spawn"), init_worker)
-        future = self.pool.submit(function, task)
+        with interrupts_blocked():
+            future = self.pool.submit(function, task)  # starts the process
         self.processes = set(multiprocessing.active_children()) - others
         return future
 
@@ -230,6 +231,19 @@ class LocalEngine:
         """End the processes."""
         for slot in self.slots:
             slot.close()
+
+
+@contextmanager
+def interrupts_blocked() -> Iterator[None]:
+    """Deliver Ctrl-C after the context only; processes that start in it never see one, not even while they import."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def init_worker() -> None:

@@ -1,6 +1,7 @@
 """Engines: one result for each task, lost processes, interrupts, and errors before the first task."""
 
 import os
+import signal
 import socket
 import subprocess
 import sys
@@ -39,6 +40,12 @@ def test_tasks_may_be_endless(engine):
     results = in_order(engine.results(tasks.square, count()))
     assert [next(results) for _ in range(4)] == [0, 1, 4, 9]
     results.close()
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="the system has no masks of signals")
+def test_ctrl_c_does_not_reach_a_process_not_even_while_it_starts(two):
+    assert [signal.SIGINT in blocked for _, blocked in two.results(tasks.blocked_signals, [0])] == [True]
+    assert tasks.blocked_signals(0) == []
 
 
 def test_a_killed_process_costs_no_result(two, tmp_path):

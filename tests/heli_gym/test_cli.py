@@ -104,10 +104,26 @@ def test_every_script_of_the_package_is_a_command_of_the_table():
     scripts = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["scripts"]
     assert set(scripts) == set(COMMANDS)
     for name, target in scripts.items():
-        assert target == f"heli_gym.cli:{name[5:].replace('-', '_')}"
-        assert callable(getattr(cli, target.partition(":")[2]))
-    with pytest.raises(AttributeError, match="no attribute 'fly'"):
-        _ = cli.fly
+        assert target == f"heli_gym_commands:{name[5:].replace('-', '_')}"
+
+
+INTERRUPTED = """
+import sys
+module = sys.argv.pop()
+class Interruption:
+    def find_spec(name, *_):
+        if name == module:
+            raise KeyboardInterrupt
+sys.meta_path.insert(0, Interruption)
+import heli_gym_commands
+heli_gym_commands.plan()
+"""
+
+
+@pytest.mark.parametrize("module", ["heli_gym", "numpy", "heli_gym.baselines.commands.plan_maneuver", "tyro"])
+def test_ctrl_c_during_the_imports_of_a_command_is_one_line(module):
+    child = subprocess.run([sys.executable, "-c", INTERRUPTED, module], capture_output=True, text=True, cwd=ROOT)
+    assert (child.returncode, child.stderr) == (130, "heli-plan: interrupted\n")
 
 
 @pytest.mark.parametrize("program", COMMANDS)

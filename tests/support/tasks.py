@@ -1,6 +1,7 @@
 """Tasks for engines, importable by other processes."""
 
 import os
+import signal
 import time
 from pathlib import Path
 
@@ -36,3 +37,8 @@ def die_once(task):
 
 def die(x):
     os._exit(9)
+
+
+def blocked_signals(_):
+    """Signals that do not reach this process, by number."""
+    return sorted(map(int, signal.pthread_sigmask(signal.SIG_BLOCK, ())))
