@@ -14,7 +14,7 @@ async function answer({ url, width, height, script, executable }) {
   const context = await browser.newContext({ viewport: { width, height } });
   try {
     const page = await context.newPage();
-    page.setDefaultTimeout(120_000); // pictures are slow to draw without a GPU
+    page.setDefaultTimeout(600_000); // pictures are slow to draw without a GPU
     const errors = [];
     const requests = [];
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && errors.push(message.text()));

@@ -2,8 +2,7 @@ import os
 import pickle
 import subprocess
 import sys
-import threading
-import time
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,10 +14,11 @@ from heli_gym.model import rk4_step, thrust, virtual_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters
 from heli_gym.plant import PLANTS, Gust, MovingMass, Plant, Push, RotorFault, Rotors, Sensors
 from heli_gym.simulation import kernels, motion
+from heli_gym.simulation import workers as simulation_workers
 from heli_gym.simulation.fast_math import cosine, sine, standard_normal
 from heli_gym.simulation.layout import COMMAND, LANES, REWARD, TIME, TRUNCATED, X
 from heli_gym.simulation.simulation import Simulation
-from heli_gym.simulation.workers import Workers
+from heli_gym.simulation.workers import Workers, pool
 from heli_gym.task import hover_voltage, reward, to_voltage
 
 REFERENCE = find_reference("travel-360")
@@ -113,15 +113,21 @@ def test_flights_are_the_same_for_any_number_of_threads(name):
                 assert_array_equal(a, b)
 
 
-def test_workers_do_each_block_once_and_leave_the_other_threads_out_where_these_are_slower():
+def test_workers_do_each_block_once_and_leave_the_other_threads_out_where_these_are_slower(monkeypatch):
+    clock, threads = [0.0], pool(3, os.getpid())
+
+    class SlowPool:
+        def run(self, task, count):
+            clock[0] += 2.0
+            return threads.run(task, count)
+
     def task(begin, end):
-        if threading.current_thread() is not threading.main_thread():
-            time.sleep(0.002)
-        else:
-            time.sleep(1e-5 * (end - begin))
+        clock[0] += 1e-3 * (end - begin)
         done.extend(range(begin, end))
         return end - begin
 
+    monkeypatch.setattr(simulation_workers, "time", SimpleNamespace(perf_counter=lambda: clock[0]))
+    monkeypatch.setattr(simulation_workers, "pool", lambda *_: SlowPool())
     workers, done = Workers(3), []
     for _ in range(60):
         done.clear()

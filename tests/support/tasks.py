@@ -16,12 +16,14 @@ def refuse(x):
     return x
 
 
-def sleep_and_note(task):
-    """Sleep, and note the start and the process in a file."""
-    folder, x, seconds = task
-    with open(Path(folder) / f"{x}.{os.getpid()}.{time.monotonic_ns()}", "w"):
-        pass
-    time.sleep(seconds)
+def note_and_wait(task):
+    """Note the start in a file, and wait until there is a file "end"; half an hour at most."""
+    folder, x = task
+    (Path(folder) / str(x)).touch()
+    for _ in range(180_000):
+        if (Path(folder) / "end").exists():
+            break
+        time.sleep(0.01)
     return x
 
 

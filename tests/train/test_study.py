@@ -108,7 +108,7 @@ def test_the_examples_are_studies(name, number):
         (SEARCH.replace("low = 1e-4", "low = nan"), "learning_rate .*low must be less than high"),
         (SEARCH.replace("low = 1e-4", "low = 'a'"), "learning_rate .*must be numbers"),
         (SEARCH.replace("log = true", "log = 1"), "learning_rate .*log must be true or false"),
-        (SEARCH.replace("low = 1,", "low = -1,"), "epochs = -1: must be at least 1"),
+        (SEARCH.replace("low = 1,", "low = -1,"), "epochs = -1: must be 1 to 1000"),
         (SEARCH.replace('"environment"', '"luck"'), "objective = 'luck'"),
         (f"[grid]\nepochs = [1]\n{SEARCH}", "'epochs': must be in one of"),
     ],
