@@ -12,7 +12,6 @@ of a run holds:
 """
 
 import json
-import math
 import time
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
@@ -50,6 +49,7 @@ from heli_gym.train.asymmetric import AsymmetricPolicy
 from heli_gym.train.checkpoint import last_checkpoint, save_checkpoint
 from heli_gym.train.vec_env import ResidualVecEnv
 from heli_gym.trajectory import Trajectory
+from heli_gym.validation import require, shown
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 CONTROL_PERIOD = 0.02  # s
@@ -148,23 +148,49 @@ def with_defaults(args: Args) -> CompleteArgs:
     return CompleteArgs(**{**vars(args), "base": base, **missing})
 
 
+# Bounds of the settings: larger values would fill the memory, or overflow, minutes after the start.
+MOST_TRANSITIONS, MOST_NEURONS, MOST_LAYERS = 10**7, 4096, 16
+SIZES = {
+    "references": (1, 10_000),
+    "steps": (1, 10**13),
+    "envs": (1, 100_000),
+    "chunk": (1, 10**7),
+    "cell": (1, MOST_NEURONS),
+    "hold": (1, 10**7),
+    "rollout": (1, 10**6),
+    "batch": (2, MOST_TRANSITIONS),
+    "epochs": (1, 1000),
+    "buffer": (1, MOST_TRANSITIONS),
+    "validation": (1, 100_000),
+}
+RANGES = {
+    "scale": (1e-6, 1000.0),
+    "learning_rate": (1e-9, 1.0),
+    "max_grad_norm": (1e-9, 1e6),
+    "cost_weight": (0.0, 1e6),
+    "elevation_weight": (0.0, 1e6),
+    "pitch_penalty": (0.0, 1e6),
+    "log_std": (-20.0, 2.0),
+    "gamma": (0.0, 1.0),
+    "gae_lambda": (0.0, 1.0),
+}
+
+
 def check(args: CompleteArgs) -> None:
     """Raise ValueError for invalid settings."""
-    sizes = ("references", "steps", "envs", "chunk", "cell", "hold", "rollout", "epochs", "buffer", "validation")
-    for name, least in (*dict.fromkeys(sizes, 1).items(), ("batch", 2)):
-        if getattr(args, name) < least:
-            raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least}")
-    if not args.hidden or min(args.hidden) < 1:
-        raise ValueError(f"hidden = {args.hidden}: must be one layer or more, each of at least 1 neuron")
-    for name in ("gamma", "gae_lambda"):
-        if not 0.0 <= getattr(args, name) <= 1.0:
-            raise ValueError(f"{name} = {getattr(args, name)}: must be 0 to 1")
-    for name in ("learning_rate", "max_grad_norm"):
-        if not (math.isfinite(getattr(args, name)) and getattr(args, name) > 0.0):
-            raise ValueError(f"{name} = {getattr(args, name)}: must be a positive number")
-    for name in ("cost_weight", "elevation_weight", "pitch_penalty", "log_std"):
-        if not math.isfinite(getattr(args, name)):
-            raise ValueError(f"{name} = {getattr(args, name)}: must be a finite number")
+    for name, (least, most) in SIZES.items():
+        require(name, getattr(args, name), least <= getattr(args, name) <= most, f"{least} to {most}")
+    if not 1 <= len(args.hidden) <= MOST_LAYERS or not all(1 <= n <= MOST_NEURONS for n in args.hidden):
+        raise ValueError(
+            f"hidden = {shown(args.hidden)}: must be 1 to {MOST_LAYERS} layers, each of 1 to {MOST_NEURONS} neurons"
+        )
+    for name, (low, high) in RANGES.items():
+        require(name, getattr(args, name), low <= getattr(args, name) <= high, f"{low:g} to {high:g}")
+    if args.algo == "ppo" and args.rollout * args.envs > MOST_TRANSITIONS:
+        raise ValueError(
+            f"rollout = {args.rollout}: must be 1 to {MOST_TRANSITIONS // args.envs} with envs = {args.envs}, "
+            "which fit the memory"
+        )
     if args.base.partition("@")[0] not in POLICIES:
         raise ValueError(f"base = {args.base!r}: must be one of {', '.join(map(repr, POLICIES))}")
     if args.reference == DRAWN and args.algo != "apg":
