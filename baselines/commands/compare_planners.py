@@ -60,7 +60,7 @@ RESERVES = 0.0, 0.1, 0.2, 0.3, 0.4, 0.45
 MORE_TIME = 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35
 LEISURE = 12.0  # s; every method can plan the paper's maneuver in this time
 CONSTRAINED_RIGS = "paper", "ntnu", "quanser"
-COLLOCATION_TIME = 60.0  # s, limit for one maneuver
+PATIENCE = 60.0  # s, time limit of splines and of collocation for one maneuver with constraints
 OBJECTIVE_DURATIONS = 10.0, 12.0  # s
 
 
@@ -88,15 +88,17 @@ def constraints(args: Args, console: Console, engine: Engine) -> None:
     rng, rows = np.random.default_rng(args.seed + 2), list[dict[str, Any]]()
     for k in track(range(args.fastest), "constraints", console=console):
         maneuver = constrained_maneuver(rng, find_rig(CONSTRAINED_RIGS[k % len(CONSTRAINED_RIGS)]))
-        trajectory, seconds = time_planner(plan_fastest, maneuver)
-        known = collocated_trajectory(maneuver, "time", COLLOCATION_TIME, smooth=True)
+        trajectory, seconds = time_planner(plan_fastest, maneuver, "spline", time_limit=PATIENCE)
+        known = collocated_trajectory(maneuver, "time", PATIENCE, smooth=True)
         found = math.nan if trajectory is None else trajectory.duration
-        optimum = math.nan if known is None else known.duration
+        waiting = maneuver.rig.delay if maneuver.lead else 0.0  # before the flight, which collocation leaves out
+        optimum = math.nan if known is None else known.duration + waiting
         rows.append(
             {
                 "rig": maneuver.rig.name,
                 "maneuver": str(maneuver),
                 "floor": maneuver.floor is not None,
+                "lead": maneuver.lead,
                 "in motion": (maneuver.start_state is not None) + (maneuver.goal_state is not None),
                 "collocation": optimum,
                 "spline": found,

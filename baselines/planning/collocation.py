@@ -7,12 +7,14 @@ too. The extra `ocp` must be installed.
 import math
 import time
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 from heli_gym.baselines.paper.boundary_value import sample_times
+from heli_gym.baselines.planning.lead import leading_trajectory
 from heli_gym.baselines.planning.path import PATH_TOLERANCE, PathLimits, excesses, path_limits
 from heli_gym.baselines.planning.spline import LEAD_MARGIN, via_estimates
 from heli_gym.model import dynamics, hover_input, virtual_input
@@ -22,6 +24,7 @@ from heli_gym.trajectory import Maneuver, Trajectory
 OBJECTIVES = ("time", "effort")
 INTERVALS = 100
 FEWEST = 6  # intervals between via points
+FEWEST_SAMPLES = 10  # of an interval
 SHORTEST, LONGEST = 0.05, 600.0  # s, shortest transition and longest computation
 STEPS = 3000  # largest number, of the interior-point method
 THRUSTS = 400  # at which the bounds of their rates are tabulated
@@ -292,8 +295,17 @@ def collocate_from_relaxed(
 
 
 def sample(maneuver: Maneuver, found: Collocation) -> Trajectory:
-    """Sample a solution: thrusts linear and states cubic between the nodes."""
-    p, t = maneuver.parameters, sample_times(maneuver)
+    """Sample a solution: thrusts linear and states cubic between the nodes, which are samples too."""
+    p, step = maneuver.parameters, sample_times(maneuver)[1]
+    t = np.append(
+        np.concatenate(
+            [
+                np.linspace(begin, end, max(math.ceil((end - begin) / step), FEWEST_SAMPLES), endpoint=False)
+                for begin, end in pairwise(found.t.tolist())
+            ]
+        ),
+        maneuver.duration,
+    )
     f = np.clip([np.interp(t, found.t, row) for row in found.f], *maneuver.rig.thrust_bounds(maneuver.limits.u))
     rates = np.stack(dynamics(found.x, virtual_input(found.f), p))
     x = CubicHermiteSpline(found.t, found.x, rates, axis=1)(t)
@@ -305,5 +317,5 @@ def sample(maneuver: Maneuver, found: Collocation) -> Trajectory:
     x[:, [0, -1]] = ends.T
     u, lag = maneuver.rig.voltage(f), path_limits(maneuver).lead
     if lag is not None:
-        u = u + lag * np.gradient(u, t, axis=1)
+        return leading_trajectory(maneuver, t, x, u, lag)
     return Trajectory(t, x, u, maneuver.limits, maneuver.rig)

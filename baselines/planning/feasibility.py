@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from heli_gym.baselines.paper.boundary_value import SAMPLE_PERIOD, sample_times
-from heli_gym.baselines.planning.lead import rotor_voltages
+from heli_gym.baselines.planning.lead import JUMP, rotor_voltages
 from heli_gym.baselines.planning.path import RECOVERY, path_fault, pitch_window
 from heli_gym.model import fan_thrusts, hover_input, linearise
 from heli_gym.parameters import HelicopterParameters
@@ -19,7 +19,6 @@ from heli_gym.validation import is_number, shown
 ARRIVAL_TOLERANCE = 1e-3  # rad and rad/s, from the end of the replayed plan to the goal, per turn of travel
 LONGEST_PLAN, FARTHEST_GOAL = 1e4, 1e5  # s and rad, largest accepted maneuver
 LIMIT_TOLERANCE = 1e-6  # V and rad
-JUMP = 1e-6  # s, in which a plan's last voltages change to those of hover
 GROWTH = 8.0  # exponent of error growth in an unstable flight at which the replay restarts from the plan
 NEAR = 1e-3  # distance to a limit, as a share of the range, at which a voltage counts as on it
 LENGTHENING, ATTEMPTS = 1.4, 16  # factor on the duration per attempt to find a plan, and number of attempts

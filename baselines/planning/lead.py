@@ -8,7 +8,8 @@ import numpy as np
 from heli_gym.baselines.paper.boundary_value import SAMPLE_PERIOD
 from heli_gym.trajectory import Maneuver, Trajectory
 
-REFINEMENTS = 4  # of commands, by the error of their response
+LARGEST_JUMP = 0.02  # V, of commands, that is spread over the intervals around it
+JUMP = 1e-6  # s, in which a plan's voltages jump
 UNIFORM = 1e-9  # s, difference of sampling periods up to which they are one
 MANY = 100  # pieces of uniform sampling from which a loop is faster
 RESOLUTION = 8  # decimals of a sampling time in s
@@ -44,19 +45,27 @@ def rotor_voltages(t: np.ndarray, u: np.ndarray, lag: float, delay: float, befor
     return response
 
 
-def leading_commands(
-    t: np.ndarray, w: np.ndarray, lag: float, delay: float, before: np.ndarray, window: tuple[float, float]
-) -> np.ndarray:
-    """Commands (2, K) in V within a window at which rotors with lag and dead time turn at the voltages w (2, K).
+def leading_commands(t: np.ndarray, w: np.ndarray, lag: float) -> tuple[np.ndarray, np.ndarray]:
+    """Times (N,) and commands (2, N) in V at which rotors with a lag turn at the voltages w (2, K), linear in between.
 
-    The commands w + lag dw/dt are corrected by the error of their response, because samples miss corners of w.
+    The commands w + lag dw/dt jump where the slope of w does. A small jump is spread over both intervals of t, in which
+    its effect cancels; a larger one takes the time JUMP, with one more sample.
     """
-    u, missed = np.zeros_like(w), w
-    for _ in range(REFINEMENTS):
-        lead = missed + lag * np.gradient(missed, t, axis=1)
-        u = np.clip(u + np.stack([np.interp(t + delay, t, row) for row in lead]), *window)
-        missed = w - rotor_voltages(t, u, lag, delay, before)
-    return u
+    slopes = lag * np.diff(w) / np.diff(t)
+    before = w + np.concatenate((slopes[:, :1], slopes), axis=1)
+    after = w + np.concatenate((slopes, slopes[:, -1:]), axis=1)
+    jumps = np.flatnonzero(np.abs(after - before).max(axis=0) > LARGEST_JUMP)
+    u = 0.5 * (before + after)
+    u[:, jumps] = before[:, jumps]
+    return np.insert(t, jumps + 1, t[jumps] + JUMP), np.insert(u, jumps + 1, after[:, jumps], axis=1)
+
+
+def leading_trajectory(maneuver: Maneuver, t: np.ndarray, x: np.ndarray, w: np.ndarray, lag: float) -> Trajectory:
+    """Trajectory of the states x (6, K) with commands at which rotors with a lag turn at the voltages w (2, K)."""
+    times, u = leading_commands(t, w, lag)
+    states, _ = Trajectory(t, x, w, maneuver.limits, maneuver.rig)(times)
+    states[:, np.searchsorted(times, t)] = x
+    return Trajectory(times, states, u, maneuver.limits, maneuver.rig)
 
 
 def without_dead_time(maneuver: Maneuver) -> Maneuver:

@@ -80,8 +80,9 @@ def plan(
             "flat", polynomials in the flat outputs, see `flat`;
             "collocation", the plan of least effort, see `collocation`; the extra `ocp` must be installed;
             "auto", which takes the paper's plan if shooting finds one, otherwise the spline's.
-        time_limit: in s, after which the search ends; checked every few ms. It includes compilation, about 20 s at the
-            first use after an installation.
+        time_limit: in s, after which the search ends: before the next solution by the interior-point method, of about
+            2 s at most; CasADi gets the time left. It includes compilation, about 20 s at the first use after an
+            installation.
         near: a plan of a similar maneuver by any method, the initial guess of "paper", "spline" and "auto"; if that
             fails, they start from their usual guess.
         objective: of a spline in the maneuver's duration: "smoothest"; least "effort", the mean squared distance of the
@@ -273,7 +274,7 @@ def spline_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Traje
     From a measured state, raises InfeasibleManeuver with the shortest duration if that is longer than the maneuver's.
     """
     if maneuver.start_state is None or maneuver.via:
-        return validated(maneuver, spline.plan_near(maneuver, near), clock)
+        return validated(maneuver, spline.plan_near(maneuver, near, clock.check), clock)
     found = validated(maneuver, spline.replan(maneuver, near, is_fixed=True), clock)
     if found is not None:
         return found
@@ -299,7 +300,7 @@ def spline_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Traje
 
 def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Smoothest spline from the initial guess, otherwise by lengthening the fastest spline if that is short enough."""
-    trajectory = validated(maneuver, spline.plan_smoothest(maneuver), clock)
+    trajectory = validated(maneuver, spline.plan_smoothest(maneuver, check=clock.check), clock)
     if trajectory is not None:
         return trajectory
     if any(time is not None for time, *_ in maneuver.via):
@@ -318,9 +319,8 @@ def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 def infeasible_via(maneuver: Maneuver, clock: TimeLimit) -> InfeasibleManeuver:
     """Make the error for via points in given times: names those without which there is a plan."""
     for k in range(len(maneuver.via)):
-        clock.check()
         others = replace(maneuver, via=maneuver.via[:k] + maneuver.via[k + 1 :])
-        if validated(others, spline.plan_smoothest(others)) is not None:
+        if validated(others, spline.plan_smoothest(others, check=clock.check)) is not None:
             return InfeasibleManeuver(
                 f"no plan found for {maneuver}; without via[{k}] = {maneuver.via[k]} there is one"
             )
@@ -337,7 +337,7 @@ def plan_fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 def plan_objective(maneuver: Maneuver, clock: TimeLimit, optimum: Callable) -> Trajectory:
     """Spline for an objective in the maneuver's duration; if that fails, the plan of `plan_spline`."""
-    found = validated(maneuver, spline.plan_smoothest(maneuver, optimum), clock)
+    found = validated(maneuver, spline.plan_smoothest(maneuver, optimum, clock.check), clock)
     return plan_spline(maneuver, clock) if found is None else found
 
 
@@ -345,14 +345,14 @@ def plan_reserve(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Smoothest spline in the narrowest voltage and pitch ranges, found by bisection of the reserve."""
     best, low, high = plan_spline(maneuver, clock), 0.0, 1.0
     while high - low > RESERVE_ACCURACY:
-        clock.check()
         share = 0.5 * (low + high)
         try:
             narrower = replace(maneuver, limits=with_reserve(maneuver.limits, share))
         except ValueError:  # hover exceeds the narrowed limits
             high = share
             continue
-        found = validated(narrower, spline.plan_near(narrower, best) or spline.plan_smoothest(narrower))
+        near = spline.plan_near(narrower, best, clock.check)
+        found = validated(narrower, near or spline.plan_smoothest(narrower, check=clock.check))
         if found is None:
             high = share
         else:
@@ -378,8 +378,10 @@ def fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> tuple[spline.Spline,
         found = spline.plan_fastest(narrower, clock.check)
         if found is None:
             break
-        fastest, trajectory = found[0], replace(found[1], limits=limits)
-        if validated(replace(maneuver, duration=fastest.duration), trajectory, clock) is not None:
+        fastest = found[0]
+        at_once = replace(maneuver, duration=fastest.duration)
+        trajectory = validated(at_once, replace(found[1], limits=limits), clock)
+        if trajectory is not None:
             return fastest, trajectory
     raise infeasible(maneuver, None, clock)
 

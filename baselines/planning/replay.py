@@ -20,7 +20,7 @@ from heli_gym.trajectory import Trajectory
 
 TOLERANCE = 1e-8  # of a step, in rad and rad/s, absolute and relative
 LONGEST = 0.05  # s, largest step, since voltages have corners
-IMPULSE = 1e-8  # s, of the thrust range: difference between linear voltages and linear thrusts in a sampling interval
+IMPULSE = 1e-9  # s, of the thrust range: difference between linear voltages and linear thrusts in a sampling interval
 REPLAYED = 0.1  # share of IMPULSE in the replay
 STEEP = 3e-3  # share of the voltage range below which a change between two samples makes no difference
 MOST_PIECES = 64  # of a sampling interval

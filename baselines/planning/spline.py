@@ -17,9 +17,10 @@ from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from heli_gym.baselines.paper.boundary_value import RISE, sample_times
 from heli_gym.baselines.paper.normal_form import internal_dynamics, travel_damping
-from heli_gym.baselines.planning.lead import leading_commands
+from heli_gym.baselines.planning.lead import leading_commands, leading_trajectory
 from heli_gym.baselines.planning.path import PATH_TOLERANCE, RECOVERY, excesses, passages, path_limits, pitch_window
 from heli_gym.model import dynamics, virtual_input
+from heli_gym.rig import Rig
 from heli_gym.trajectory import Maneuver, Trajectory, hover_thrust_sum
 
 SEGMENTS = (30, 60)  # of the splines, tried in this order: fewer are faster and smoother
@@ -36,7 +37,8 @@ RATES_ROUGHNESS = 1e-3  # weight of smoothness next to that of the squared thrus
 EFFORT, EFFORT_ROUGHNESS = 10.0, 1e-4  # weights of the squared distance from hover thrusts, and of smoothness
 STEEPEST = 0.5 * math.pi  # rad, of any elevation
 ROUNDED = 0.5 * PATH_TOLERANCE  # excess over a path constraint that is none
-LEAD_MARGIN = 0.02  # V, for corrections of leading commands
+LEAD_MARGIN = 0.02  # V, for leading commands between the points of the optimisation
+SLOPE_STEP, LEAST_SLOPE = 0.01, 0.1  # V, for differences of slopes; share of a slope that counts as zero
 END_MARGIN = 0.02  # rad, of pitch coefficients next to an end in motion
 ROUGHNESS = 3.4e-5  # s, weight of smoothness (integral of squared rates, in thrust ranges per s) next to log duration
 TOLERANCE = 1e-7  # rad/s² and N
@@ -46,11 +48,16 @@ LEAD_ROUGHNESS = 1e-4  # s/N², likewise for voltages that lead
 SWING = 0.8  # pitch amplitude of the guess, as a share of the pitch limit
 EASY = 2.0  # ratio of the search's initial duration to a rough bound for travel alone
 STRETCHES = (1.0, 1.6, 0.7, 1.25, 2.5, 4.0)  # factors on that duration, tried until one gives a plan
+SHORTENINGS = (
+    (0.8, 0.99),
+    (0.98, 0.997),
+)  # first and last factor on a duration, with few segments and with twice as many
 LEAST_STRETCH = 0.05  # smallest step of lengthening, as a share of the interval of durations
 APPROACH = (0.8, 0.6, 0.4, 0.2, 0.0)  # decreasing shares of the initial excess over a constraint
 TIGHTENINGS = 8  # largest number of times that thrust bounds are tightened for an excess between collocation points
 LINEARISED, LINEARISATIONS = ("slew", "lead"), 3  # constraints linear about the last plan; plans until tightening
 LEAST_SHARE = 0.3  # of a limit on a rate, left by tightening
+FEWEST_SAMPLES, MANY_SAMPLES = 20, 100  # of a segment: at least; from which corners between them make no difference
 VIA_ACCURACY = 1e-4  # rad, largest miss of a via point; the integral of the travel to it is approximate
 
 
@@ -77,6 +84,10 @@ class Bounds(NamedTuple):
     vias: np.ndarray | None = None  # (V, 2) shifts of the via points in rad, by their miss in the previous plan
     iterations: int | None = None  # largest number
     above_floor: np.ndarray | None = None  # (S + 1,) in rad, by which a floor is raised at the knots
+
+
+def unlimited() -> None:
+    """Check no time limit."""
 
 
 def guess(maneuver: Maneuver, duration: float, segments: int) -> Spline:
@@ -290,14 +301,14 @@ def optimise(
     rates = roughness * smoothness_weights(maneuver, duration, segments)
     held = fixed_ends(maneuver, start)
     points, free = 2 * (3 * segments + 1), segments + REST - sum(held)
-    names, rows, row_low, row_high = constraint_rows(maneuver, segments, bounds)
+    names, rows, row_low, row_high, lags = constraint_rows(maneuver, segments, duration, bounds)
     low, high = (
         np.concatenate((np.full(points, thrust), pitch, on_the_way))
         for thrust, pitch, on_the_way in zip(
             bounds.thrusts, pitch_bounds(maneuver, held, free, duration / segments), (row_low, row_high), strict=True
         )
     )
-    rows, targets, vias = with_equations(maneuver, rows, held, duration, bounds)
+    rows, targets, vias = with_equations(maneuver, rows, lags, held, duration, bounds)
     (_, rate, *_), (_, new_rate, *_) = maneuver.ends
     floor = np.zeros((2, 2)) if maneuver.floor is None else np.array(maneuver.floor) - [[maneuver.start[0]], [0.0]]
     turn = maneuver.goal[0] - maneuver.start[0]
@@ -337,7 +348,7 @@ def optimise(
 
 
 def with_equations(
-    maneuver: Maneuver, rows: np.ndarray, held: tuple[int, int], duration: float, bounds: Bounds
+    maneuver: Maneuver, rows: np.ndarray, lags: np.ndarray, held: tuple[int, int], duration: float, bounds: Bounds
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Rows with bounds, followed by the equations of ends and via points; their targets; and the via points (V, 3)."""
     from heli_gym.baselines.planning import spline_kernel as kernel
@@ -364,16 +375,17 @@ def with_equations(
                 equations += [] if lift is None else [(kernel.VIA_ELEVATION, k)]
     targets = np.zeros(len(rows) + len(equations))
     targets[len(rows) : len(rows) + len(values)] = values
-    targets[: len(rows)][rows[:, 0] == kernel.LEAD] = maneuver.rig.lag
+    targets[: len(rows)] = lags
     return np.concatenate((rows, np.array(equations, np.int64).reshape(-1, 2))), targets, vias
 
 
-def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[np.ndarray, ...]:
-    """Path constraints for the interior-point method: names (R,), kinds and indices (R, 2), bounds (R,)."""
+def constraint_rows(maneuver: Maneuver, segments: int, duration: float, bounds: Bounds) -> tuple[np.ndarray, ...]:
+    """Path constraints for the interior-point method: names (R,), kinds and indices (R, 2), bounds (R,), lags (R,)."""
     from heli_gym.baselines.planning import spline_kernel as kernel
 
     path = path_limits(maneuver)
     blocks: list[tuple[str, int, np.ndarray, Any, Any]] = []
+    leads = [np.empty(0)]
     knots, coefficients = np.arange(1, segments), np.arange(REST, segments)
     if maneuver.periodic:
         knots = np.arange(segments + 1)
@@ -382,9 +394,9 @@ def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[
         limit = getattr(path, name)
         return max(limit - bounds.tighter.get(name, 0.0), LEAST_SHARE * limit)
 
-    voltages = maneuver.rig.hover_voltage(maneuver.start[1])[:, None] * np.ones(3 * segments + 1)
+    share = np.append((np.arange(segments)[:, None] + kernel.POINTS).ravel() / segments, 1.0)
+    voltages = maneuver.rig.hover_voltage(maneuver.start[1])[:, None] * np.ones(len(share))
     if bounds.voltages is not None:
-        share = np.arange(3 * segments + 1) / (3 * segments)
         given = np.linspace(0.0, 1.0, bounds.voltages.shape[1])
         voltages = np.stack([np.interp(share, given, row) for row in bounds.voltages])
     if bounds.on_the_way:
@@ -408,22 +420,43 @@ def constraint_rows(maneuver: Maneuver, segments: int, bounds: Bounds) -> tuple[
             most = within("slew") * np.minimum(slopes[:, 1:], slopes[:, :-1]).T.ravel()
             blocks.append(("slew", kernel.SLEW, np.arange(2 * 3 * segments), -most, most))
         if path.lead is not None:
-            # w + lag dw/dt is within the limits of u if f + lag df/dt is within these bounds, f being linear in w
-            slopes, f = maneuver.rig.thrust_slope(voltages), maneuver.rig.thrust(voltages)
             less = LEAD_MARGIN + bounds.tighter.get("lead", 0.0)
-            u_min, u_max = maneuver.limits.u_min + less, maneuver.limits.u_max - less
-            least, most = ((f + slopes * (limit - voltages))[:, 1:].T.ravel() for limit in (u_min, u_max))
-            blocks.append(("lead", kernel.LEAD, np.arange(2 * 3 * segments), least, most))
+            window = maneuver.limits.u_min + less, maneuver.limits.u_max - less
+            steps = duration * np.diff(share)
+            for at_end in (False, True):
+                low, high, lags = lead_bounds(maneuver.rig, voltages, steps, path.lead, window, at_end)
+                blocks.append(("lead", kernel.LEAD, np.arange(low.size), low.T.ravel(), high.T.ravel()))
+                leads.append((lags if at_end else lags - steps).T.ravel())
     sizes = [len(index) for _, _, index, _, _ in blocks]
     names = np.repeat([name for name, *_ in blocks], sizes) if blocks else np.empty(0, dtype=str)
     if not blocks:
-        return names, np.empty((0, 2), np.int64), np.empty(0), np.empty(0)
+        return names, np.empty((0, 2), np.int64), np.empty(0), np.empty(0), np.empty(0)
     rows = np.concatenate([np.stack((np.full(len(index), kind), index), axis=1) for _, kind, index, _, _ in blocks])
     low, high = (
         np.concatenate([np.broadcast_to(np.asarray(block[k], dtype=float), len(block[2])) for block in blocks])
         for k in (3, 4)
     )
-    return names, rows, low, high
+    lags = np.concatenate(leads)
+    return names, rows, low, high, np.concatenate((np.zeros(len(rows) - len(lags)), lags))
+
+
+def lead_bounds(
+    rig: Rig, voltages: np.ndarray, steps: np.ndarray, lag: float, window: tuple[float, float], at_end: bool
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Bounds (2, K) in N of f + lag' df/dt at the ends, or the starts, of the intervals `steps` (K,), and lag' (2, K).
+
+    They hold the commands w + lag dw/dt within a window in V, to first order about voltages w (2, K + 1). Where a
+    thrust map is curved, a change of the thrust f changes the slope by which dw/dt follows from df/dt.
+    """
+    rates = np.diff(rig.thrust(voltages)) / steps
+    w = voltages[:, 1:] if at_end else voltages[:, :-1]
+    f, slopes = rig.thrust(w), rig.thrust_slope(w)
+    bend = (rig.thrust_slope(w + SLOPE_STEP) - rig.thrust_slope(w - SLOPE_STEP)) / (2.0 * SLOPE_STEP)
+    ahead = np.clip(lag * rates / slopes, window[0] - w, window[1] - w)
+    share = 1.0 - ahead * bend / slopes
+    share = np.where(share < 0.0, -1.0, 1.0) * np.maximum(np.abs(share), LEAST_SLOPE)
+    limits = [f + slopes * (limit - w) / share for limit in window]
+    return np.minimum(*limits), np.maximum(*limits), lag / share
 
 
 def solve_within_limits(
@@ -433,11 +466,12 @@ def solve_within_limits(
     barrier: float = COLD,
     iterations: int | None = None,
     on_the_way: bool = False,
+    check: Callable[[], None] = unlimited,
 ) -> tuple[Spline, Trajectory] | None:
     """Optimal spline and its trajectory within the limits; None if there is none. `optimum` is `smoothest` or another.
 
     Path constraints are added when a plan first violates them, or from the beginning with `on_the_way`, and bounds are
-    tightened by the excess of a plan between the collocation points.
+    tightened by the excess of a plan between the collocation points. `check` is called before each solution.
     """
     limits = low, high = maneuver.rig.thrust_bounds(maneuver.limits.u)
     tighter: dict[str, float] = {}
@@ -448,10 +482,11 @@ def solve_within_limits(
     lag, linearised = path_limits(maneuver).lead, 0
     above_floor = np.zeros(len(start.coefficients) - REST + 1)
     for _ in range(TIGHTENINGS):
+        check()
         bounds = Bounds((low, high), on_the_way, tighter, voltages, vias, iterations, above_floor)
         spline = optimum(maneuver, start, bounds, barrier)
         if spline is None and over:
-            spline = solve_by_homotopy(maneuver, optimum, start, bounds._replace(tighter=over))
+            spline = solve_by_homotopy(maneuver, optimum, start, bounds._replace(tighter=over), check)
         if spline is None:
             return None
         t, x, f = sample(maneuver, spline)
@@ -459,13 +494,12 @@ def solve_within_limits(
         u = maneuver.rig.voltage(np.clip(f, *limits))
         voltages = u if voltages is None or lag is not None else between(voltages, u)
         if lag is not None:
-            u = voltages + lag * np.gradient(voltages, t, axis=1)
+            _, u = leading_commands(t, voltages, lag)
         over = {name: excess for name, excess in excesses(maneuver, t, x, u).items() if excess > ROUNDED}
         missed = passages(maneuver, t, x)
         if max(below, above) <= 0.0 and not over and np.abs(missed).max(initial=0.0) <= VIA_ACCURACY:
             if lag is not None:
-                before = maneuver.rig.hover_voltage(maneuver.start[1])
-                u = leading_commands(t, voltages, lag, 0.0, before, maneuver.limits.u)
+                return spline, leading_trajectory(maneuver, t, x, voltages, lag)
             return spline, Trajectory(t, x, u, maneuver.limits, maneuver.rig)
         low, high = low + 1.2 * max(below, 0.0), high - 1.2 * max(above, 0.0)
         linearised += on_the_way
@@ -498,9 +532,12 @@ def floor_excess(maneuver: Maneuver, x: np.ndarray, knots: int) -> np.ndarray:
     return np.maximum(np.append(most, 0.0), np.append(0.0, most))
 
 
-def solve_by_homotopy(maneuver: Maneuver, optimum, start: Spline, bounds: Bounds) -> Spline | None:
+def solve_by_homotopy(
+    maneuver: Maneuver, optimum, start: Spline, bounds: Bounds, check: Callable[[], None]
+) -> Spline | None:
     """Optimum from a start that violates path constraints, by homotopy: their excess is reduced in steps."""
     for share in APPROACH:
+        check()
         looser = {name: -share * excess for name, excess in bounds.tighter.items()}
         found = optimum(maneuver, start, bounds._replace(tighter=looser), LUKEWARM)
         if found is None:
@@ -513,8 +550,11 @@ def sample(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray, 
     """Times (K,), states (6, K) and thrusts (2, K) of a spline."""
     from heli_gym.baselines.planning.spline_kernel import compiled, interpolate, thrusts_along
 
-    T = spline.duration
+    T, segments = spline.duration, len(spline.coefficients) - REST
     t = sample_times(replace(maneuver, duration=T))
+    if len(t) - 1 < MANY_SAMPLES * segments:  # thrusts have corners at the knots, which must be samples of quick plans
+        each = max(math.ceil((len(t) - 1) / segments), FEWEST_SAMPLES)
+        t = np.linspace(0.0, T, each * segments + 1)
     y, dy, ddy = compiled(interpolate)(spline.coefficients, T, len(t))
     (dy1, dy2), damping = dy, travel_damping(maneuver.parameters)
     f, acceleration = compiled(thrusts_along)(y, dy, ddy, maneuver.parameters)
@@ -541,13 +581,15 @@ def sample(maneuver: Maneuver, spline: Spline) -> tuple[np.ndarray, np.ndarray, 
     return t, x, f
 
 
-def plan_smoothest(maneuver: Maneuver, optimum: Callable = smoothest) -> Trajectory | None:
+def plan_smoothest(
+    maneuver: Maneuver, optimum: Callable = smoothest, check: Callable[[], None] = unlimited
+) -> Trajectory | None:
     """Plan for an objective in the maneuver's duration, from the initial guess, by the first number of segments.
 
     The smoothest plan takes the fewest segments that work.
     """
     for segments in SEGMENTS if optimum is smoothest else OPTIMUM_SEGMENTS:
-        found = solve_within_limits(maneuver, optimum, guess(maneuver, maneuver.duration, segments))
+        found = solve_within_limits(maneuver, optimum, guess(maneuver, maneuver.duration, segments), check=check)
         if found is not None:
             return found[1]
     return None
@@ -586,10 +628,10 @@ def fastest_from(maneuver: Maneuver) -> Spline | None:
     return None
 
 
-def plan_near(maneuver: Maneuver, near: Trajectory) -> Trajectory | None:
+def plan_near(maneuver: Maneuver, near: Trajectory, check: Callable[[], None] = unlimited) -> Trajectory | None:
     """Smoothest plan in the maneuver's duration, from a plan of a similar maneuver."""
     for segments in SEGMENTS:
-        found = solve_within_limits(maneuver, smoothest, guess_from(maneuver, near, segments), WARM)
+        found = solve_within_limits(maneuver, smoothest, guess_from(maneuver, near, segments), WARM, check=check)
         if found is not None:
             return found[1]
     return None
@@ -608,40 +650,68 @@ def easy_duration(maneuver: Maneuver) -> float:
 def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline, Trajectory] | None:
     """Fastest plan, regardless of the maneuver's duration; an exception from `check` ends the search.
 
-    It starts with few segments from an easy duration; each result is the initial guess for more segments.
+    It starts with few segments from an easy duration; each result is the initial guess for more segments. A plan to any
+    elevation starts from one to the elevation of the start, and is this one if that fails.
     """
+    if maneuver.elevation_free:
+        level = plan_fastest(replace(maneuver, elevation_free=False), check)
+        if level is not None:
+            found = solve_within_limits(maneuver, fastest, level[0], LUKEWARM, check=check)
+            return level if found is None or found[0].duration > level[0].duration else found
     path = path_limits(maneuver)
     # a slow guess meets limits on rates, which a fast plan exceeds by far
+    warm = LUKEWARM if maneuver.lead else WARM
     is_fast_limited = not (path.travel_rate is path.elevation_rate is path.slew is path.lead is None)
     for stretch in STRETCHES:
         duration = stretch * easy_duration(maneuver)
         is_dense = maneuver.floor is not None or maneuver.limits.travel_rate is not None
         start, barrier, found = guess(maneuver, duration, SHORTEST_SEGMENTS[0]), COLD, None
         for segments in SHORTEST_SEGMENTS[: 2 if is_dense else 3]:
-            check()
             iterations: int | None = DENSE_ITERATIONS if is_dense and found is not None else None
             while len(start.coefficients) - REST < segments:  # twice where the number before gave no plan
                 start = refined(start)
             if found is None and is_fast_limited:
-                found = solve_within_limits(maneuver, fastest, start, barrier, iterations, on_the_way=True)
+                found = solve_within_limits(maneuver, fastest, start, barrier, iterations, True, check)
                 if found is not None:
-                    start, barrier = found[0], WARM
+                    start, barrier = found[0], warm
                     continue
-            found = solve_within_limits(maneuver, fastest, start, barrier, iterations) or found
+            found = solve_within_limits(maneuver, fastest, start, barrier, iterations, check=check) or found
             if found is not None:
-                start, barrier = found[0], WARM
+                start, barrier = found[0], warm
+        found = found or plan_shortened(maneuver, duration, check)
         if found is not None:
             return found
     return None
+
+
+def plan_shortened(maneuver: Maneuver, duration: float, check: Callable[[], None]) -> tuple[Spline, Trajectory] | None:
+    """Plan as fast as the smoothest plans remain when they are shortened step by step from a duration in s."""
+    best = solve_within_limits(
+        replace(maneuver, duration=duration),
+        smoothest,
+        guess(maneuver, duration, SHORTEST_SEGMENTS[0]),
+        on_the_way=True,
+        check=check,
+    )
+    start = best and best[0]
+    for ratio, finest in SHORTENINGS:
+        while start is not None and ratio < finest:
+            shorter = replace(maneuver, duration=ratio * best[0].duration)
+            found = solve_within_limits(shorter, smoothest, start, LUKEWARM, on_the_way=True, check=check)
+            if found is None:
+                ratio = math.sqrt(ratio)
+            else:
+                best, start = found, found[0]
+        start = start and refined(start)
+    return best
 
 
 def plan_lengthened(maneuver: Maneuver, start: Spline, check: Callable[[], None]) -> Trajectory | None:
     """Smoothest plan in the maneuver's duration, from a faster one that is lengthened step by step."""
     share = 1.0
     while share > LEAST_STRETCH:
-        check()
         duration = start.duration ** (1.0 - share) * maneuver.duration**share
-        found = solve_within_limits(replace(maneuver, duration=duration), smoothest, start, LUKEWARM)
+        found = solve_within_limits(replace(maneuver, duration=duration), smoothest, start, LUKEWARM, check=check)
         if found is None:
             share *= 0.5
         elif share == 1.0:

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 from heli_gym import Maneuver, dynamics
 from heli_gym.baselines import InfeasibleManeuver, plan, plan_fastest
-from heli_gym.baselines.planning.lead import rotor_voltages
+from heli_gym.baselines.planning.lead import leading_commands, rotor_voltages
 
 TRAVEL = np.linspace(0.0, 2.0 * math.pi, 101)
 BUMP = np.radians(8.0 - 16.0 * np.exp(-(((TRAVEL - math.pi) / 0.5) ** 2)))
@@ -60,6 +60,38 @@ def test_lag_and_dead_time_cost_time():
     follows, leads = (plan_fastest(Maneuver(duration=20.0, lead=lead)) for lead in (False, True))
     assert follows.duration + 0.02 < leads.duration < 1.1 * follows.duration
     assert_allclose(flown_open_loop(leads, leads.rig), Maneuver().ends[1], atol=2e-3)
+
+
+MOVING = (2.8, 0.3, -0.08, 0.03, 0.1, 0.0)
+
+
+@pytest.mark.parametrize(
+    "requested",
+    [
+        Maneuver((0.0, 0.1), duration=60.0, goal_state=MOVING, lead=True),  # the thrust map is flat at low voltages
+        Maneuver(goal=(5.0, None), duration=60.0, rig="quanser", lead=True),
+        Maneuver((0.0, 0.04), (5.6, 0.08), 60.0, rig="ntnu", lead=True),
+    ],
+    ids=["to a goal in motion", "to any elevation", "the rig of the course"],
+)
+def test_the_fastest_plan_leads_within_its_limits(requested):
+    leads = plan_fastest(requested, "spline")
+    flown = flown_open_loop(leads, requested.rig)
+    goal = np.array(requested.ends[1])
+    goal[2] = leads.x[2, -1] if requested.elevation_free else goal[2]
+    assert_allclose(flown, goal, atol=1e-3)
+    limits = requested.limits
+    assert limits.u_min - 1e-6 <= leads.u.min() <= leads.u.max() <= limits.u_max + 1e-6
+
+
+def test_commands_lead_to_any_voltages():
+    rng, t = np.random.default_rng(4), np.linspace(0.0, 2.0, 2001)
+    w = np.stack([np.interp(t, np.linspace(0.0, 2.0, 8), rng.uniform(2.0, 10.0, 8)) for _ in range(2)])
+    times, u = leading_commands(t, w, 0.1)
+    assert len(t) < len(times) < 2.0 * len(t)
+    response = rotor_voltages(times, u, 0.1, 0.0, w[:, 0])
+    assert_allclose(response[:, np.searchsorted(times, t)], w, atol=1e-3)
+    assert np.abs(np.trapezoid(response[:, np.searchsorted(times, t)] - w, t)).max() < 1e-5
 
 
 def test_collocation_leads_too():

@@ -8,8 +8,9 @@ import pytest
 from independent import replay
 from numpy.testing import assert_allclose
 
-from heli_gym import Limits, Maneuver, Trajectory, thrust
+from heli_gym import Limits, Maneuver, Trajectory, find_rig, thrust
 from heli_gym.baselines import InfeasibleManeuver, plan, plan_fastest
+from heli_gym.baselines.planning import spline
 from heli_gym.baselines.planning.path import excesses, path_limits
 
 TRAVEL = np.linspace(0.0, 2.0 * math.pi, 201)
@@ -223,3 +224,28 @@ def test_a_start_and_a_goal_on_the_floor_are_planned(objective):
     requested = Maneuver(goal=(math.pi, 0.0), duration=15.0, rig="ntnu", floor=(travel, bump))
     trajectory = plan(requested, objective=objective)
     assert excesses(requested, trajectory.t, trajectory.x, trajectory.u)["floor"] < 1e-6
+
+
+def test_a_search_is_checked_before_each_solution(monkeypatch):
+    solutions, checks = [], []
+    optimise = spline.optimise
+    monkeypatch.setattr(spline, "optimise", lambda *given: solutions.append(1) or optimise(*given))
+
+    def check():
+        checks.append(1)
+        if len(checks) == 4:
+            raise TimeoutError
+
+    slewed = Maneuver(duration=60.0, limits=Limits(slew=6.0))
+    with pytest.raises(TimeoutError):
+        spline.plan_fastest(slewed, check)
+    assert len(solutions) == 3
+
+
+def test_where_no_fastest_plan_is_found_the_smoothest_ones_are_shortened():
+    limits = replace(find_rig("quanser").limits, travel_rate=1.1, elevation_rate=0.34, slew=58.0)
+    requested = Maneuver((0.0, 0.07), (6.4, -0.11), 60.0, limits, rig="quanser")
+    found, trajectory = spline.plan_shortened(requested, 12.0, spline.unlimited)
+    assert found.duration == trajectory.duration
+    assert 6.4 / 1.1 < found.duration < 9.0
+    assert max(excesses(requested, trajectory.t, trajectory.x, trajectory.u).values()) < 1e-6

@@ -59,7 +59,7 @@ def test_with_more_samples_linear_voltages_are_linear_thrusts(kind):
     assert set(given.t) <= set(denser.t)
     assert_allclose(rig.thrust(denser(given.t)[1]), rig.thrust(given.u), atol=1e-12)
     assert impulses(denser) < 1e-2 * impulses(given)
-    assert impulses(denser) < 50 * compiled.IMPULSE  # intervals
+    assert impulses(denser) < 10 * 50 * compiled.IMPULSE  # of 50 intervals; a table has corners between
 
 
 def test_a_gentle_plan_stays_as_it_is():
