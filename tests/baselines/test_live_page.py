@@ -5,12 +5,10 @@ import re
 
 import numpy as np
 import pytest
-from browser import DESKTOP, PHONE, SOURCES, check_accessible, in_browser, in_node
+from browser import DESKTOP, PHONE, SMALL, SOURCES, STILL, check_accessible, in_browser, in_node
 
 from heli_gym.baselines.commands import demo
 
-STILL = 'await page.emulateMedia({reducedMotion: "reduce"}); await page.reload();'  # no flight starts by itself
-SMALL = 'await page.addStyleTag({content: ".live .view { height: 30px !important }"});'
 HELP = """
 const slide = async (id, to) => page.locator(id).evaluate((input, value) => {
   input.value = value;

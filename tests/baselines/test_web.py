@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from browser import DESKTOP, PHONE, SOURCES, in_browser, in_node, installed, tool
+from browser import DESKTOP, PHONE, SMALL, SOURCES, STILL, in_browser, in_node, installed, tool
 from scipy.integrate import solve_ivp
 from scipy.interpolate import interp1d
 
@@ -85,6 +85,7 @@ def test_a_new_build_equals_the_shipped_program(tmp_path):
         assert (tmp_path / name).read_bytes() == (WEB / name).read_bytes(), "run `npm ci && npm run build` in web/"
 
 
+@pytest.mark.slow
 def test_the_sources_pass_the_type_checker():
     child = subprocess.run([tool("node"), installed("typescript/bin/tsc")], cwd=SOURCES, capture_output=True, text=True)
     assert child.returncode == 0, child.stdout
@@ -402,8 +403,6 @@ def test_the_grid_agrees_with_the_solver(live):
 
 # The live page
 
-# Pictures take long to draw without a GPU; where nobody looks at them, they are small.
-SMALL = 'await page.addStyleTag({content: ".live .view { height: 30px !important }"});'
 READ = """
 const readout = async (plot) => {
   const figure = page.locator("figure", {hasText: plot}).first();
@@ -415,7 +414,13 @@ const clock = async () => parseFloat(await page.locator(".clock").textContent())
 const until = async (time) => {
   await page.waitForFunction((t) => parseFloat(document.querySelector(".clock").textContent) >= t, time);
 };
-const pause = async () => { await page.locator("#play").click(); await page.waitForTimeout(300); };
+// readouts follow with the next frame
+const drawn = () => page.evaluate(() => new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(go))));
+const press = async (keys) => {
+  await page.locator(".plot").first().focus();
+  for (const key of keys) await page.keyboard.press(key);
+  await drawn();
+};
 const slide = async (id, steps) => {
   await page.locator(id).focus();
   for (let k = 0; k < Math.abs(steps); k++) await page.keyboard.press(steps < 0 ? "ArrowLeft" : "ArrowRight");
@@ -443,20 +448,16 @@ def test_the_page_opens_without_complaint_fits_and_flies(page, size):
 @pytest.mark.slow
 def test_a_push_moves_the_pitch(page):
     script = """
-        await page.locator("#speed").selectOption("0.25");
         await slide("#startOff", -3);  // on the reference
-        await page.locator("#startOff").blur();
-        await until(0.2);
-        await pause();
+        await press(["ArrowRight", "ArrowRight"]);
         const before = await readout("pitch");
-        await page.keyboard.press("Space");
+        await page.evaluate(() => document.activeElement.blur());
         await page.keyboard.press("ArrowRight");
-        await until(await clock() + 0.4);
-        await pause();
+        await press(Array(4).fill("ArrowRight"));
         const after = await readout("pitch");
         return {before, after};
     """
-    seen = in_browser(page, READ + SMALL + script)
+    seen = in_browser(page, STILL + READ + SMALL + script)
     controlled, *_, reference = seen["before"]
     assert abs(controlled - reference) < 0.2
     controlled, open_loop, *_, reference = seen["after"]
@@ -468,23 +469,20 @@ def test_a_push_moves_the_pitch(page):
 def test_a_slider_changes_the_flight_and_a_missing_plan_is_reported(page, papers_plan):
     script = """
         const references = [];
-        await page.locator("#speed").selectOption("2");
         for (const steps of [0, 8]) {  // 10 s, then 14 s
           await slide("#duration", steps);
-          if (steps === 0) await page.locator("button", {hasText: "Restart"}).click();
-          await until(3);
-          await pause();
+          await press(["Home", ...Array(3).fill("Shift+ArrowRight")]);
           references.push([await clock(), (await readout("travel")).at(-1)]);
         }
         await slide("#duration", -11);  // 8.5 s
         const message = await page.locator(".message").textContent();
         const disabled = await page.locator("#play").isDisabled();
         await page.locator("#remedy").click();
-        await until(0.3);
+        await drawn();
         return {references, message, disabled, duration: await page.locator("output[for=duration]").textContent(),
                 hidden: await page.locator(".message").isHidden()};
     """
-    seen = in_browser(page, READ + SMALL + script)
+    seen = in_browser(page, STILL + READ + SMALL + script)
     (time, travel), (later_time, slower) = seen["references"]
     assert abs(travel - np.degrees(papers_plan(time)[0][0])) < 6.0  # the clock shows tenths
     assert slower < 0.7 * np.degrees(papers_plan(later_time)[0][0])
@@ -537,16 +535,15 @@ def test_the_residual_policy_uses_the_plants_network_and_differs_from_its_base(p
         for (const [key, plant] of [["2", "lab"], ["3", "rigid"]]) {
           await page.keyboard.press(key);
           await page.locator(".toggles label", {hasText: "Kalman LQR"}).locator("input").check();
-          await until(1.5);
-          await pause();
+          await press(["Home", ...Array(2).fill("Shift+ArrowRight")]);
           seen[plant] = [await shown(), await page.locator("#plant-note").textContent()];
         }
         await page.keyboard.press("7");
-        await page.waitForTimeout(300);
+        await drawn();
         seen.without = await shown();
         return seen;
     """
-    seen = in_browser(page, READ + SMALL + script)
+    seen = in_browser(page, STILL + READ + SMALL + script)
     for plant in ("lab", "rigid"):
         values, note = seen[plant]
         _, _, residual, kalman, hover, *_ = zip(*values)

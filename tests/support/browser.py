@@ -14,6 +14,9 @@ from heli_gym.baselines.evaluation.report import WEB
 
 SOURCES = Path(__file__).parents[2] / "web"
 DESKTOP, PHONE = (1400, 900), (390, 844)
+# Beginnings of scripts for the live page: no flight starts by itself; pictures, slow to draw without a GPU, are small.
+STILL = 'await page.emulateMedia({reducedMotion: "reduce"}); await page.reload();'
+SMALL = 'await page.addStyleTag({content: ".live .view { height: 30px !important }"});'
 
 
 def lacking(what: str):
