@@ -12,7 +12,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 from heli_gym.env import find_reference
 from heli_gym.model import rk4_step, thrust, virtual_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, HelicopterParameters
-from heli_gym.plant import PLANTS, Gust, MovingMass, Plant, Push, RotorFault, Rotors, Sensors
+from heli_gym.plant import NOMINAL_RIGS, PLANTS, Gust, MovingMass, Plant, Push, RotorFault, Rotors, Sensors
+from heli_gym.rig import find_rig
 from heli_gym.simulation import kernels, motion
 from heli_gym.simulation import workers as simulation_workers
 from heli_gym.simulation.fast_math import cosine, sine, standard_normal
@@ -91,7 +92,8 @@ def test_a_batch_in_numpy_of_the_same_equations_is_the_compiled_flight():
 
 @pytest.mark.parametrize("name", PLANTS)
 def test_single_precision_flies_nearly_the_same(name):
-    double, single = (simulation([PLANTS[name]] * 5, dtype=dtype) for dtype in (np.float64, np.float32))
+    at_zero = find_rig(NOMINAL_RIGS[name]).hover_voltage()
+    double, single = (simulation([PLANTS[name]] * 5, dtype=dtype, hover=at_zero) for dtype in (np.float64, np.float32))
     for action in actions(100, 5):
         (_, _, exact), (_, _, close) = double.step(action), single.step(action)
     assert close.dtype == np.float32
