@@ -10,6 +10,7 @@ Parts:
     whole        fitted to the whole of each log and judged on the same rest, in-sample, and rigs again; the model alone
     ablation     effects added one by one, and all but one: degrees of the model alone
     parameters   of each rig from the first 60 % of its logs, with standard errors; b1 to b3 per N
+    prior        changes of the parameters, in standard errors, when the prior's spread of `centrifugal` is halved
     drift        thrust lost in 20 s: slope of the filter's lasting acceleration of elevation, over a2
     faults       one log with faults: ratios, or the refusal
 
@@ -175,7 +176,7 @@ def run_ablation(rigs: Rigs, only: list[str]) -> Iterator[Row]:
 
 def run_parameters(rigs: Rigs, only: list[str]) -> Iterator[Row]:
     """Parameters of each rig with standard errors, in brackets where they are the prior's."""
-    models = {rig: fit(*logs)[0] for rig, logs in rigs.items()}
+    models = {rig: identify(logs) for rig, logs in rigs.items()}
     for name in MeasuredParameters._fields:
         row: Row = {"parameter": name}
         for rig, m in models.items():
@@ -183,6 +184,21 @@ def run_parameters(rigs: Rigs, only: list[str]) -> Iterator[Row]:
             value, error = getattr(m.parameters, name) / unit, m.standard_errors.get(name)
             row[rig] = f"({value:.3g})" if error is None else f"{value:.3g} ± {error / unit:.1g}"
         yield row
+
+
+def run_prior(rigs: Rigs, only: list[str]) -> Iterator[Row]:
+    """Changes of the parameters, in standard errors, when the prior's spread of `centrifugal` is halved."""
+    narrow = SPREAD._replace(centrifugal=0.5 * SPREAD.centrifugal)
+    for rig, logs in rigs.items():
+        model, other = identify(logs), identify(logs, spread=narrow)
+        change = {
+            name: abs(getattr(other.parameters, name) - getattr(model.parameters, name)) / error
+            for name, error in model.standard_errors.items()
+            if name in other.free
+        }
+        worst = max(change, key=lambda name: change[name])
+        rms = float(np.sqrt(np.mean(np.square(list(change.values())))))
+        yield {"rig": rig, "RMS": rms, "largest": change[worst], "of": worst}
 
 
 def run_drift(rigs: Rigs, only: list[str]) -> Iterator[Row]:
@@ -319,6 +335,7 @@ PARTS = {
     "whole": run_whole,
     "ablation": run_ablation,
     "parameters": run_parameters,
+    "prior": run_prior,
     "drift": run_drift,
     "faults": run_faults,
 }

@@ -10,6 +10,7 @@ model does not contain the plant.
 """
 
 import argparse
+import math
 import sys
 
 import numpy as np
@@ -18,7 +19,9 @@ from heli_gym import PLANTS, Coupling, HelicopterParameters, Plant, PowerCurve, 
 from heli_gym.baselines.identification.estimation import Identification, identify
 from heli_gym.baselines.identification.measured_model import MeasuredParameters
 from heli_gym.baselines.identification.simulated import hover_of, random_rig, simulate_plant, square_waves
+from heli_gym.model import hover_input
 from heli_gym.plant import Rotors
+from heli_gym.rigid_body import RigidBodyParameters, rigid_dynamics
 from heli_gym.thrust_map import ThrustCurve
 
 FIRST_SEED = 1000
@@ -28,14 +31,43 @@ UNIT = 0.3  # N, thrust of one rotor in hover of the random rigs
 def paper_draw(name: str, seed: int) -> tuple[Plant, Rig, MeasuredParameters, float]:
     """Draw of `lab` or `rigid`, the rig whose hover its controller knows, and true parameters at 1 V."""
     plant, rig = PLANTS[name].draw(np.random.default_rng(seed)), find_rig("paper")
+    moments = dict.fromkeys(("centrifugal", "centre", "pitch_spin"), 0.0)
     p, share = rig.parameters, 1.0 - plant.rotors.thrust_loss
     c1, c2, c3 = plant.friction.viscous
     unit = share * p.k_plus  # N at 1 V
+    if plant.rig is not None:
+        found = about_hover(plant.rig, hover_input(0.0, p))
+        p, moments = p._replace(**{key: found[key] for key in ("a3", "b1", "b3")}), {key: found[key] for key in moments}
     true = MeasuredParameters(
         p.a1, p.a2, p.a3, p.b1 * unit, p.b2 * unit, p.b3 * unit, c1, c2, c3, exponent=2.0, lag=plant.rotors.lag,
-        delay=plant.rotors.delay, centrifugal=0.0, pitch_spin=0.0,
+        delay=plant.rotors.delay, **moments,
     )  # fmt: skip
     return plant, rig, true, 1.0
+
+
+def about_hover(body: RigidBodyParameters, hover: np.ndarray) -> dict[str, float]:
+    """Parameters of the model by name that a rigid body has about level hover with the inputs (2,).
+
+    The product of inertia between travel and pitch makes a3, b1 and b3 differ from the coefficients by axes.
+    """
+
+    def accelerations(w1: float = 0.0, q2: float = 0.0, q3: float = 0.0, v2: float = 0.0) -> np.ndarray:
+        dx = rigid_dynamics((0.0, w1, q2, 0.0, q3, 0.0), (hover[0], v2), body)
+        return np.array(dx[1::2], dtype=float)
+
+    step = 1e-4
+    by_pitch = (accelerations(q3=step) - accelerations(q3=-step)) / (2.0 * step)
+    by_input = (accelerations(v2=step) - accelerations(v2=-step)) / (2.0 * step)
+    q2 = np.linspace(-0.2, 0.2, 9)
+    lift = np.array([accelerations(w1=1.0, q2=q)[1] - accelerations(q2=q)[1] for q in q2])
+    # -k sin(q2 - z) cos(q2 - z) is linear in k cos(2 z) and k sin(2 z)
+    A = 0.5 * np.column_stack((-np.sin(2.0 * q2), np.cos(2.0 * q2)))
+    along, across = np.linalg.lstsq(A, lift, rcond=None)[0]
+    spin = accelerations(w1=1.0, q3=0.1) - accelerations(q3=0.1)
+    return {
+        "a3": by_pitch[2], "b1": by_pitch[0] / hover[0], "b3": by_input[2], "centrifugal": math.hypot(along, across),
+        "centre": 0.5 * math.atan2(across, along), "pitch_spin": -spin[2] / (math.sin(0.1) * math.cos(0.1)),
+    }  # fmt: skip
 
 
 def rig_draw(seed: int) -> tuple[Plant, Rig, MeasuredParameters, float]:

@@ -241,7 +241,8 @@ def identify(
         free = [name for name in free if name not in undetermined]
         if not free:
             raise ValueError("logs: must move more, for they determine no parameter")
-        theta, covariance = problem.fit(theta, centre, free, progress=progress)
+        theta, _ = problem.fit(theta, centre, free, progress=progress)
+    covariance = problem.robust_covariance(theta, centre, free)
     tables = [log.table_elevation() for log in logs]
     table = float(np.median([angle for angle in tables if math.isfinite(angle)] or [start.table_elevation]))
     voltages = np.concatenate([log.voltages for log in logs], axis=1)
@@ -414,11 +415,10 @@ class Shooting:
     def normal_equations(self, simulated: list[tuple], chosen: np.ndarray) -> tuple:
         """Normal equations of the parameters, with the nine unknowns of each window eliminated (Schur complement).
 
-        Returns matrix, right-hand side, and the factors for the step of the windows' unknowns.
+        Returns matrices (W, P, P) and right-hand sides (W, P) of all windows, and for each log the factors for the step
+        of its windows' unknowns.
         """
-        count = len(chosen)
-        matrix, side = np.zeros((count, count)), np.zeros(count)
-        back: list[np.ndarray | None] = []
+        matrices, sides, back = [], [], []
         variance = np.zeros(3)
         for (y, dy), measured, states in zip(simulated, self.measured, self.z):
             if measured is None:
@@ -435,11 +435,11 @@ class Shooting:
             H[:, i, i] *= 1.0 + 1e-9
             solved = np.linalg.solve(H[:, :9, :9], np.concatenate((H[:, :9, 9:], g[:, :9, None]), axis=2))
             across = H[:, 9:, :9]
-            matrix += (H[:, 9:, 9:] - across @ solved[:, :, :-1]).sum(axis=0)
-            side += (g[:, 9:] - (across @ solved[:, :, -1:])[:, :, 0]).sum(axis=0)
+            matrices.append(H[:, 9:, 9:] - across @ solved[:, :, :-1])
+            sides.append(g[:, 9:] - (across @ solved[:, :, -1:])[:, :, 0])
             variance += np.diagonal(np.linalg.inv(H[:, :9, :9]), axis1=1, axis2=2)[:, 6:].sum(axis=0)
             back.append(solved)
-        return matrix, side, back, variance / sum(map(len, self.starts))
+        return np.concatenate(matrices), np.concatenate(sides), back, variance / sum(map(len, self.starts))
 
     def fit(
         self,
@@ -466,9 +466,9 @@ class Shooting:
             if adapt and iteration:
                 self.adapt(simulated, variance)
             loss = self.loss(simulated, self.z, distance(theta))
-            matrix, side, back, variance = self.normal_equations(simulated, chosen)
-            matrix += np.diag(1.0 / prior**2)
-            side -= distance(theta) / prior
+            matrices, sides, back, variance = self.normal_equations(simulated, chosen)
+            matrix = matrices.sum(axis=0) + np.diag(1.0 / prior**2)
+            side = sides.sum(axis=0) - distance(theta) / prior
             scale, accepted = np.diag(matrix), False
             at_bound = ((theta[chosen] <= low) & (side < 0.0)) | ((theta[chosen] >= high) & (side > 0.0))
             moving = np.flatnonzero(~at_bound)
@@ -497,8 +497,28 @@ class Shooting:
             if (settled or loss - new_loss < 1e-4 * loss) and iteration >= (6 if adapt else 2):
                 break
         self.loss_value = self.loss(simulated, self.z, distance(theta))
-        matrix, *_ = self.normal_equations(simulated, chosen)
-        return theta, np.linalg.inv(matrix + np.diag(1.0 / prior**2))
+        matrices, *_ = self.normal_equations(simulated, chosen)
+        return theta, np.linalg.inv(matrices.sum(axis=0) + np.diag(1.0 / prior**2))
+
+    def robust_covariance(self, theta: np.ndarray, centre: np.ndarray, free: Sequence[str]) -> np.ndarray:
+        """Covariance (P, P) of the free parameters that allows for what the model lacks.
+
+        Errors of the model change the parameters from window to window by more than the errors of the angles do, which
+        the jackknife over windows shows (linearised; Cameron, Gelbach, Miller, 2008, for clusters of errors). The prior
+        counts as one more observation, with an error no smaller than its distance from the estimate. Variances are the
+        larger ones of these and of the model's own; correlations are the model's.
+        """
+        chosen = np.array([NAMES.index(name) for name in free])
+        prior = self.prior_spread[chosen]
+        matrices, sides, *_ = self.normal_equations(self.simulate(theta, self.z, chosen), chosen)
+        matrix = matrices.sum(axis=0) + np.diag(1.0 / prior**2)
+        covariance = np.linalg.inv(matrix)
+        count = len(sides)
+        changes = np.linalg.solve(matrix - matrices, (sides - sides.mean(axis=0))[:, :, None])[:, :, 0]
+        error = np.maximum(prior, np.abs(theta[chosen] - centre[chosen])) / prior**2
+        robust = (count - 1) / count * (changes**2).sum(axis=0) + (covariance**2 @ error**2)
+        ratio = np.sqrt(np.maximum(robust / np.diag(covariance), 1.0))
+        return covariance * np.outer(ratio, ratio)
 
     def adapt(self, simulated: list[tuple], variance: np.ndarray) -> None:
         """Update spread and correlation time of the errors and spread of the accelerations from current residuals."""

@@ -150,7 +150,7 @@ def expected_errors(
     problem.correlation_time = np.full(3, 0.2)
     theta = np.array(parameters, dtype=float)
     problem.hover_voltage = voltage
-    matrix, *_ = problem.normal_equations(problem.simulate(theta, problem.z, chosen), chosen)
+    matrices, *_ = problem.normal_equations(problem.simulate(theta, problem.z, chosen), chosen)
     prior = np.array(SPREAD)[chosen]
-    errors = np.sqrt(np.diag(np.linalg.inv(matrix + np.diag(prior**-2.0))))
+    errors = np.sqrt(np.diag(np.linalg.inv(matrices.sum(axis=0) + np.diag(prior**-2.0))))
     return dict(zip(names, errors.tolist())), dict(zip(names, (errors / prior).tolist()))

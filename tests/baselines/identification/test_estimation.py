@@ -204,6 +204,16 @@ def test_a_parameter_whose_prior_has_no_spread_stays_there(known):
     assert found.undetermined == ("gyro",)
 
 
+def test_where_data_and_prior_contradict_each_other_the_standard_error_is_larger(known):
+    parameters, _, log = known
+    spread = SPREAD._replace(gyro=0.03)
+    near, far = (
+        identify([log], prior=MeasuredParameters(gyro=parameters.gyro + away), spread=spread) for away in (0.0, 0.2)
+    )
+    assert far.standard_errors["gyro"] > 2.0 * near.standard_errors["gyro"]
+    assert abs(far.parameters.gyro - parameters.gyro) < 2.0 * far.standard_errors["gyro"]
+
+
 def test_each_effect_is_left_out_once_and_added_once():
     cases = ablation_cases()
     added = [effects for title, effects in cases.items() if title.startswith("+")]
