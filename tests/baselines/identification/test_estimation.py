@@ -61,7 +61,7 @@ def test_of_the_95_percent_intervals_on_100_simulated_logs_at_least_90_percent_h
         parameters, voltage = random_rig(rng)
         log = simulate_log(parameters, voltage, square_waves(), 40.0, rng=rng)
         errors += standardised(parameters, voltage, identify([log], fit_share=1.0)).values()
-    # errors that are at least the jackknife's are slightly too large where the model is right: 98.9 % on 19 of these logs
+    # errors that are at least the jackknife's are slightly too large where the model is right: 98.9 % on 19 of the logs
     assert 0.90 < (np.abs(errors) < 1.96).mean() < 0.995
 
 
