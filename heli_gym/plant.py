@@ -734,7 +734,7 @@ def fleet(rigs: Sequence[Rig]) -> Plant:
     ranges = {name: ranges_around([own[name] for own in numbers], *FLEET_BOUNDS.get(name, ())) for name in numbers[0]}
     drawn = [{name: around[k] for name, around in ranges.items()} for k in range(len(rigs))]
 
-    def one_of(make: Callable[[dict[str, Uniform]], Any]) -> OneOf:
+    def one_of(make: Callable[[dict[str, Uniform]], Any]) -> Any:
         return OneOf(tuple(map(make, drawn)), together="rig")
 
     hover = [float(rig.hover_voltage().mean()) for rig in rigs if rig.voltage_limits[1] <= FLEET_AMPLIFIER]

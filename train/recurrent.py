@@ -21,8 +21,8 @@ class GruPolicy(RecurrentActorCriticPolicy):
     """Actor and critic with a GRU each, and a linear layer from the actor's states to the actions."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
-        super().__init__(*args, net_arch={"pi": [], "vf": [64]}, **kwargs)
+        super().__init__(*args, net_arch={"pi": [], "vf": [64]}, **kwargs)  # type: ignore[misc]
         size = self.lstm_actor.hidden_size
-        self.lstm_actor, self.lstm_critic = (Gru(self.features_dim, size) for _ in range(2))
+        self.lstm_actor, self.lstm_critic = (Gru(self.features_dim, size) for _ in range(2))  # type: ignore[assignment]
         rate = self.optimizer.param_groups[0]["lr"]
-        self.optimizer = self.optimizer_class(self.parameters(), lr=rate, **self.optimizer_kwargs)
+        self.optimizer = self.optimizer_class(self.parameters(), lr=rate, **self.optimizer_kwargs)  # type: ignore[call-arg]

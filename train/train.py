@@ -30,7 +30,7 @@ from stable_baselines3.common.utils import set_random_seed
 
 from heli_gym.baselines.control.learned_files import Learned, load_learned, save_learned
 from heli_gym.baselines.control.policies import POLICIES, make_policy
-from heli_gym.baselines.control.residual import AHEAD, FEATURE_GROUPS, Network, RecurrentNetwork, ResidualPolicy
+from heli_gym.baselines.control.residual import AHEAD, CELL, FEATURE_GROUPS, Network, RecurrentNetwork, ResidualPolicy
 from heli_gym.baselines.control.residual_step import SINGLE_GROUPS
 from heli_gym.baselines.control.weights import weights_file
 from heli_gym.baselines.evaluation.metrics import HALVING_ERROR, Metrics, flight_metrics
@@ -420,7 +420,8 @@ def network_of(agent: APG | BaseAlgorithm) -> Network | RecurrentNetwork:
     network = Network(tuple(weights), tuple(biases), tanh_output)
     if not recurrent:
         return network
-    return RecurrentNetwork(*(t.detach().numpy().astype(float) for t in policy.lstm_actor.parameters()), network)
+    cell = zip(CELL, policy.lstm_actor.parameters())
+    return RecurrentNetwork(**{name: t.detach().numpy().astype(float) for name, t in cell}, head=network)
 
 
 def validate(

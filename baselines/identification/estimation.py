@@ -418,7 +418,8 @@ class Shooting:
         Returns matrices (W, P, P) and right-hand sides (W, P) of all windows, and for each log the factors for the step
         of its windows' unknowns.
         """
-        matrices, sides, back = [], [], []
+        matrices, sides = [], []
+        back: list[np.ndarray | None] = []
         variance = np.zeros(3)
         for (y, dy), measured, states in zip(simulated, self.measured, self.z):
             if measured is None:
