@@ -506,8 +506,8 @@ class Shooting:
 
         Errors of the model change the parameters from window to window by more than the errors of the angles do, which
         the jackknife over windows shows (linearised; Cameron, Gelbach, Miller, 2008, for clusters of errors). The prior
-        counts as one more observation, with an error no smaller than its distance from the estimate. Variances are the
-        larger ones of these and of the model's own; correlations are the model's.
+        counts as one more observation, with an error no smaller than its distance from the estimate, which bounds the
+        standard errors. Variances are the larger ones of these and of the model's own; correlations are the model's.
         """
         chosen = np.array([NAMES.index(name) for name in free])
         prior = self.prior_spread[chosen]
@@ -516,9 +516,9 @@ class Shooting:
         covariance = np.linalg.inv(matrix)
         count = len(sides)
         changes = np.linalg.solve(matrix - matrices, (sides - sides.mean(axis=0))[:, :, None])[:, :, 0]
-        error = np.maximum(prior, np.abs(theta[chosen] - centre[chosen])) / prior**2
-        robust = (count - 1) / count * (changes**2).sum(axis=0) + (covariance**2 @ error**2)
-        ratio = np.sqrt(np.maximum(robust / np.diag(covariance), 1.0))
+        error = np.maximum(prior, np.abs(theta[chosen] - centre[chosen]))
+        robust = (count - 1) / count * (changes**2).sum(axis=0) + covariance**2 @ (error / prior**2) ** 2
+        ratio = np.sqrt(np.maximum(np.minimum(robust, error**2) / np.diag(covariance), 1.0))
         return covariance * np.outer(ratio, ratio)
 
     def adapt(self, simulated: list[tuple], variance: np.ndarray) -> None:
