@@ -22,7 +22,8 @@ from heli_gym.storage import atomic_write, check_folder
 from heli_gym.train.results import METRICS, START_SPREAD_DEG, policy_metrics, rank_values
 from heli_gym.train.train import drawn_references
 from heli_gym.trajectory import Trajectory
-from heli_gym.vector_env import Heli3DOFVectorEnv
+from heli_gym.validation import require
+from heli_gym.vector_env import MOST_ENVS, Heli3DOFVectorEnv
 
 SHOWN = ("travel", "elevation", "cost")
 
@@ -88,6 +89,8 @@ def table_of(args: Args, rows: dict[str, dict[str, dict]]) -> Table:
 def run(args: Args) -> None:
     """Fly, write and print the table."""
     console = Console()
+    for name, least, most in (("episodes", 1, MOST_ENVS), ("drawn", 0, 1000), ("seed", 0, 4 * HELD_OUT_SEED)):
+        require(name, getattr(args, name), least <= getattr(args, name) <= most, f"{least} to {most}")
     check_folder("out", args.out)
     path = args.out / "maneuvers.json"
     announce_replaced("heli_gym.train.maneuvers", path)

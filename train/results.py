@@ -29,7 +29,7 @@ from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.train.oracle import NoOptimum, Oracle
 from heli_gym.trajectory import Trajectory
-from heli_gym.vector_env import Heli3DOFVectorEnv
+from heli_gym.vector_env import MOST_ENVS, Heli3DOFVectorEnv
 
 START_SPREAD_DEG = 5.0
 METRICS = ("travel", "elevation", "pitch", "cost", "return", "crashed", "success")
@@ -111,8 +111,8 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
     check_folder("out", args.out)
     if args.seed < 0:
         raise ValueError(f"seed = {args.seed}: must be at least 0")
-    if args.episodes < 2:
-        raise ValueError(f"episodes = {args.episodes}: must be at least 2")
+    if not 2 <= args.episodes <= MOST_ENVS:
+        raise ValueError(f"episodes = {args.episodes}: must be at least 2 and at most {MOST_ENVS}")
     if not 0 <= args.oracle <= args.episodes:
         raise ValueError(f"oracle = {args.oracle}: must be 0 to episodes = {args.episodes}")
     if against(args) not in policies(args):

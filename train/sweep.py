@@ -54,6 +54,7 @@ from heli_gym.train.study import (
     to_settings,
     trials_of,
 )
+from heli_gym.validation import require
 
 POLL = 2.0  # s between two looks at the checkpoints
 PROBES = 8  # tasks that look for the storage from the workers of a cluster
@@ -195,8 +196,8 @@ def check(args: Args, study: Study) -> tuple[Store, list[Trial]]:
 
     Raises ValueError and OSError for what would fail later.
     """
-    if not args.checkpoint_seconds >= 0.0:
-        raise ValueError(f"checkpoint_seconds = {args.checkpoint_seconds}: must be at least 0")
+    seconds = args.checkpoint_seconds
+    require("checkpoint_seconds", seconds, 0.0 <= seconds <= 1e6, "a number of seconds, 0 to 1e6")
     if study.search is None:
         trials = trials_of(study)
         check_distinct(trials)

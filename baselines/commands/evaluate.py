@@ -32,7 +32,7 @@ from heli_gym.rig import PAPER, find_rig, same_dynamics
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import TOLERANCE
 from heli_gym.trajectory import Maneuver, Trajectory
-from heli_gym.vector_env import Heli3DOFVectorEnv
+from heli_gym.vector_env import MOST_ENVS, Heli3DOFVectorEnv
 
 RESULTS = "results.json"
 PAPERS_REFERENCE = "travel-360"
@@ -109,8 +109,8 @@ def evaluate(args: Args, console: Console, flights: list[Flight] | None = None) 
         check_page("report", args.report)
     if not args.policies or len(set(args.policies)) < len(args.policies):
         raise ValueError(f"policies = {args.policies}: must name at least one, and none twice")
-    if args.episodes < 1:
-        raise ValueError(f"episodes = {args.episodes}: must be at least 1")
+    if not 1 <= args.episodes <= MOST_ENVS:
+        raise ValueError(f"episodes = {args.episodes}: must be at least 1 and at most {MOST_ENVS}")
     if args.seed < 0:
         raise ValueError(f"seed = {args.seed}: must be at least 0")
     rig = find_rig(args.rig)

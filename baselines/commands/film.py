@@ -101,8 +101,8 @@ def write_gif(pictures: Sequence[np.ndarray], frame_time: float, path: Path) -> 
 def delay(frame_time: float) -> int:
     """Frame time in ms from a time in s. Raises ValueError unless a GIF can represent it."""
     hundredths = round(100.0 * frame_time) if math.isfinite(frame_time) else 0
-    if hundredths < 2 or abs(100.0 * frame_time - hundredths) > 1e-6:
-        raise ValueError(f"frame_time = {frame_time!r}: must be a multiple of 0.01 s from 0.02 s on")
+    if not 2 <= hundredths < 2**16 or abs(100.0 * frame_time - hundredths) > 1e-6:
+        raise ValueError(f"frame_time = {frame_time!r}: must be a multiple of 0.01 s, 0.02 to 655.35 s")
     return 10 * hundredths
 
 

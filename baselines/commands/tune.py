@@ -38,7 +38,7 @@ from heli_gym.plant import PLANTS
 from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import control_grid, control_steps, to_action
-from heli_gym.vector_env import Heli3DOFVectorEnv
+from heli_gym.vector_env import MOST_ENVS, Heli3DOFVectorEnv
 
 NEAR = 0.3  # decades; half of the first candidates are this far (standard deviation) from the weights in use
 START_SPREAD_DEG = 5.0
@@ -189,9 +189,11 @@ def check(args: Args) -> None:
         raise ValueError("plants = (): must name at least one")
     if args.store and args.plants[0] not in PLANTS:
         raise ValueError(f"plant = {args.plants[0]!r}: must be one of {', '.join(map(repr, PLANTS))}")
-    for name, least in (("draws", 1), ("population", 5), ("candidates", args.population), ("seed", 0)):
-        if getattr(args, name) < least:
-            raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least}")
+    for name, least in (("draws", 1), ("population", 5), ("candidates", args.population)):
+        if not least <= getattr(args, name) <= MOST_ENVS:
+            raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least} and at most {MOST_ENVS}")
+    if args.seed < 0:
+        raise ValueError(f"seed = {args.seed}: must be at least 0")
     check_engine(args.engine, args.workers, args.address)
     if args.method == "tpe":
         import_optuna()

@@ -52,6 +52,7 @@ REFUSED = {
         (["--reference", "none.npz"], "none.npz"),
         (["--episodes", "0"], "episodes"),
         (["--episodes", "many"], "episodes"),
+        (["--episodes", "1000000000"], "episodes"),
         (["--seed", "-1"], "seed"),
         (["--control-period", "0"], "control_period"),
         (["--control-period", "nan"], "control_period"),
@@ -70,6 +71,8 @@ REFUSED = {
         (["--plants", "x", "--store"], "plant"),
         (["--policy", "zero"], "policy"),
         (["--draws", "0"], "draws"),
+        (["--draws", "1000000000"], "draws"),
+        (["--candidates", "1000000000"], "candidates"),
         (["--candidates", "4", "--population", "2"], "population"),
         (["--candidates", "0"], "candidates"),
         (["--population", "1"], "population"),
@@ -79,6 +82,7 @@ REFUSED = {
     ],
     "heli-film": [
         (NAMES_NO_PLANT, "plant"),
+        (["--frame-time", "1e300"], "frame_time"),
         (["--policies", "foo"], "foo"),
         (["--policies"], "polic"),
         (["--policies", "zero", "zero"], "policies"),
@@ -142,6 +146,7 @@ REFUSED = {
     ],
     "heli-results": [
         (NAMES_NO_PLANT, "plant"),
+        (["--episodes", "1000000000"], "episodes"),
         (["--policies", "foo"], "foo|against"),
         (["--episodes", "1"], "episodes"),
         (["--seed", "-1"], "seed"),

@@ -400,11 +400,10 @@ def test_the_frame_rate_is_that_of_the_control_steps(period, fps):
 
 
 def test_the_checkers_have_nothing_to_say_about_pictures():
-    from stable_baselines3.common.env_checker import check_env as check_env_for_stable_baselines
-
+    checker = pytest.importorskip("stable_baselines3.common.env_checker")
     env = gym.make("Heli3DOF-v0", render_mode="rgb_array").unwrapped
     check_env(env)
-    check_env_for_stable_baselines(env)
+    checker.check_env(env)
 
 
 def test_gymnasiums_wrappers_collect_and_show_the_pictures():
@@ -422,6 +421,7 @@ def test_gymnasiums_wrappers_collect_and_show_the_pictures():
 
 
 def test_record_video_writes_a_video(tmp_path):
+    pytest.importorskip("moviepy")
     env = RecordVideo(gym.make("Heli3DOF-v0", render_mode="rgb_array"), str(tmp_path / "videos"), video_length=10)
     env.reset(seed=0)
     for _ in range(12):

@@ -207,6 +207,7 @@ def test_a_search_trains_its_candidates_with_every_seed_and_says_the_best(tmp_pa
         ({"engine": "ray", "address": "127.0.0.1:9"}, "address = '127.0.0.1:9'"),
         ({"address": "auto"}, "address = 'auto'"),
         ({"checkpoint_seconds": -1.0}, "checkpoint_seconds = -1"),
+        ({"checkpoint_seconds": float("inf")}, "checkpoint_seconds = inf"),
         ({"out": "nonsense://x"}, "out = 'nonsense://x'"),
         ({"out": "memory://x", "workers": 2}, "out = 'memory://x': must be storage that all workers share"),
     ],
