@@ -117,13 +117,14 @@ def main(quick: bool, seed: int, only: str) -> int:
             again = Path(place) / "again"
             again.mkdir()
             whole, took = finish(job, again)
-            moments = 1 if quick else max(int(SHARE * MOMENTS / 4), 1)
-            equal = killed = 0
-            for k in range(moments):
-                folder = Path(place) / str(k)
+            moments = 1 if quick else max(int(SHARE * MOMENTS / len(JOBS)), 1)
+            runs = equal = killed = 0
+            while killed < moments and runs < 4 * moments:  # a kill may come after the end
+                folder = Path(place) / str(runs)
                 folder.mkdir()
+                runs += 1
                 # up to three kills of one run, at any moment from its start on
-                for attempt in range(rng.randrange(1, 4)):
+                for attempt in range(min(rng.randrange(1, 4), moments - killed)):
                     process = start(job, folder, job.resume if attempt else "")
                     try:
                         process.wait(rng.uniform(0.1, 1.0) * took)
@@ -135,10 +136,11 @@ def main(quick: bool, seed: int, only: str) -> int:
                     found, _ = finish(job, folder, job.resume)
                     equal += found == whole
                     if found != whole:
-                        print(f"    {name} {k}: other results")
+                        print(f"    {name} {runs}: other results")
                 except (RuntimeError, ValueError) as error:
-                    print(f"    {name} {k}: {error}")
-            bad += equal != moments
-            print(f"{name}: {killed} kills in {moments} runs; {equal} of {moments} resumed to the same results")
+                    print(f"    {name} {runs}: {error}")
+                shutil.rmtree(folder)
+            bad += equal != runs
+            print(f"{name}: {killed} kills in {runs} runs; {equal} of {runs} resumed to the same results")
             sys.stdout.flush()
     return int(bad > 0)

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from numba import types
 from numpy import float64
 
-from heli_gym.compilation import Compiler
+from heli_gym.compilation import FAST, Compiler
 from heli_gym.model import axpy
 from heli_gym.simulation import fast_math
 from heli_gym.simulation.disturbances import step_gusts, sum_disturbances
@@ -40,7 +40,15 @@ from heli_gym.simulation.layout import (
     six,
     two,
 )
-from heli_gym.simulation.motion import equation_3, integrate, integrate_general, step_equation_3, step_plant
+from heli_gym.simulation.motion import (
+    equation_3,
+    general_rigid_body,
+    integrate,
+    integrate_general,
+    rigid_body_with_disturbances,
+    step_equation_3,
+    step_plant,
+)
 from heli_gym.simulation.reward import compute_reward, look_up_reference, reference_row
 from heli_gym.simulation.rotors import add_measured_curves, apply_amplifier, delay_command, map_thrusts, turn_rotors
 from heli_gym.simulation.sensors import make_noise, measure
@@ -273,8 +281,13 @@ def one_step(rhs: Callable, fly: Callable) -> Callable:
     return compiler_of(float64, rhs, fly).entry(step_one, returns(*arguments))
 
 
+# With "contract" and "arcp", LLVM rounds the sums and quotients of one rigid body and of many differently.
+RIGID = rigid_body_with_disturbances, general_rigid_body
+REPRODUCIBLE = FAST - {"contract", "arcp"}
+
+
 @cache
 def compiler_of(dtype: type, rhs: Callable, fly: Callable) -> Compiler:
     """Compiler of a simulation; cached, so that each function is compiled once."""
     names = {"sin": fast_math.sine, "cos": fast_math.cosine, "derivative": rhs, "fly": fly}
-    return Compiler(dtype, names, LOOPS, careful=(are_finite,))
+    return Compiler(dtype, names, LOOPS, careful=(are_finite,), fast=REPRODUCIBLE if rhs in RIGID else FAST)

@@ -9,7 +9,7 @@ from independent import EitherReference
 from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym.env import Heli3DOFEnv
-from heli_gym.plant import Gust, Plant, Push, RotorFault, Sensors
+from heli_gym.plant import PLANTS, Gust, Plant, Push, RotorFault, Sensors
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 GUSTY = Plant(
@@ -62,6 +62,18 @@ def test_each_helicopter_flies_like_a_single_environment_with_its_seed(mode, arg
         assert_same(actual[4], expected[4], f"step {k}")
         ends += int((actual[2] | actual[3]).sum())
     assert ends >= n
+
+
+@pytest.mark.parametrize("plant", PLANTS)
+def test_each_of_many_flies_bit_for_bit_like_a_single_environment(plant):
+    n, actions = 37, np.random.default_rng(0).uniform(-0.2, 0.2, (50, 37, 2))
+    together = Heli3DOFVectorEnv(n, plant, start_spread_deg=5.0)
+    together.reset(seed=0)
+    flown = np.array([together.step(action)[4]["state"].copy() for action in actions])
+    for j in (0, n - 1):
+        alone = Heli3DOFEnv(plant, start_spread_deg=5.0)
+        alone.reset(seed=j)
+        assert_array_equal([alone.step(action[j])[4]["state"].copy() for action in actions], flown[:, j])
 
 
 def test_make_vec_makes_the_native_one():
