@@ -37,7 +37,7 @@ from heli_gym.parameters import Limits
 from heli_gym.trajectory import Maneuver, Trajectory
 from heli_gym.validation import is_number, shown
 
-PITCH_RESERVES = (0.0, 1e-4)  # shares of the pitch limits in reserve for the fastest spline's replay error of 1e-5 rad
+PITCH_RESERVES = (0.0, 1e-4, 1e-3)  # shares of the pitch limits in reserve for the fastest spline's replay error
 RESERVE_ACCURACY = 5e-3  # of the largest reserve
 EASIER = (1.0, 8.0)  # multiples of an easy duration from which collocation searches for its least time
 FLAT_ACCURACY = 1e-3  # relative, of the shortest duration of a flat plan

@@ -84,6 +84,7 @@ class Bounds(NamedTuple):
     vias: np.ndarray | None = None  # (V, 2) shifts of the via points in rad, by their miss in the previous plan
     iterations: int | None = None  # largest number
     above_floor: np.ndarray | None = None  # (S + 1,) in rad, by which a floor is raised at the knots
+    bent: bool = True  # whether the thrust maps are curved about the previous plan's voltages, for lead
 
 
 def unlimited() -> None:
@@ -424,7 +425,7 @@ def constraint_rows(maneuver: Maneuver, segments: int, duration: float, bounds: 
             window = maneuver.limits.u_min + less, maneuver.limits.u_max - less
             steps = duration * np.diff(share)
             for at_end in (False, True):
-                low, high, lags = lead_bounds(maneuver.rig, voltages, steps, path.lead, window, at_end)
+                low, high, lags = lead_bounds(maneuver.rig, voltages, steps, path.lead, window, at_end, bounds.bent)
                 blocks.append(("lead", kernel.LEAD, np.arange(low.size), low.T.ravel(), high.T.ravel()))
                 leads.append((lags if at_end else lags - steps).T.ravel())
     sizes = [len(index) for _, _, index, _, _ in blocks]
@@ -441,18 +442,24 @@ def constraint_rows(maneuver: Maneuver, segments: int, duration: float, bounds: 
 
 
 def lead_bounds(
-    rig: Rig, voltages: np.ndarray, steps: np.ndarray, lag: float, window: tuple[float, float], at_end: bool
+    rig: Rig,
+    voltages: np.ndarray,
+    steps: np.ndarray,
+    lag: float,
+    window: tuple[float, float],
+    at_end: bool,
+    bent: bool,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Bounds (2, K) in N of f + lag' df/dt at the ends, or the starts, of the intervals `steps` (K,), and lag' (2, K).
 
     They hold the commands w + lag dw/dt within a window in V, to first order about voltages w (2, K + 1). Where a
-    thrust map is curved, a change of the thrust f changes the slope by which dw/dt follows from df/dt.
+    thrust map is curved, a change of the thrust f changes the slope by which dw/dt follows from df/dt; not if not bent.
     """
     rates = np.diff(rig.thrust(voltages)) / steps
     w = voltages[:, 1:] if at_end else voltages[:, :-1]
     f, slopes = rig.thrust(w), rig.thrust_slope(w)
     bend = (rig.thrust_slope(w + SLOPE_STEP) - rig.thrust_slope(w - SLOPE_STEP)) / (2.0 * SLOPE_STEP)
-    ahead = np.clip(lag * rates / slopes, window[0] - w, window[1] - w)
+    ahead = np.clip(lag * rates / slopes, window[0] - w, window[1] - w) if bent else 0.0
     share = 1.0 - ahead * bend / slopes
     share = np.where(share < 0.0, -1.0, 1.0) * np.maximum(np.abs(share), LEAST_SLOPE)
     limits = [f + slopes * (limit - w) / share for limit in window]
@@ -485,6 +492,8 @@ def solve_within_limits(
         check()
         bounds = Bounds((low, high), on_the_way, tighter, voltages, vias, iterations, above_floor)
         spline = optimum(maneuver, start, bounds, barrier)
+        if spline is None and lag is not None:  # curvature misleads far from the previous plan
+            spline = optimum(maneuver, start, bounds._replace(bent=False), barrier)
         if spline is None and over:
             spline = solve_by_homotopy(maneuver, optimum, start, bounds._replace(tighter=over), check)
         if spline is None:
@@ -678,7 +687,10 @@ def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline,
             found = solve_within_limits(maneuver, fastest, start, barrier, iterations, check=check) or found
             if found is not None:
                 start, barrier = found[0], warm
-        found = found or plan_shortened(maneuver, duration, check)
+        if found is None:
+            found = plan_shortened(maneuver, duration, check)
+        elif len(found[0].coefficients) - REST == SHORTEST_SEGMENTS[0]:  # more segments gave no plan
+            found = shortened(maneuver, found, SHORTEST_SEGMENTS[1], SHORTENINGS[1], check)
         if found is not None:
             return found
     return None
@@ -686,23 +698,32 @@ def plan_fastest(maneuver: Maneuver, check: Callable[[], None]) -> tuple[Spline,
 
 def plan_shortened(maneuver: Maneuver, duration: float, check: Callable[[], None]) -> tuple[Spline, Trajectory] | None:
     """Plan as fast as the smoothest plans remain when they are shortened step by step from a duration in s."""
-    best = solve_within_limits(
-        replace(maneuver, duration=duration),
-        smoothest,
-        guess(maneuver, duration, SHORTEST_SEGMENTS[0]),
-        on_the_way=True,
-        check=check,
-    )
-    start = best and best[0]
-    for ratio, finest in SHORTENINGS:
-        while start is not None and ratio < finest:
-            shorter = replace(maneuver, duration=ratio * best[0].duration)
-            found = solve_within_limits(shorter, smoothest, start, LUKEWARM, on_the_way=True, check=check)
-            if found is None:
-                ratio = math.sqrt(ratio)
-            else:
-                best, start = found, found[0]
-        start = start and refined(start)
+    start = guess(maneuver, duration, SHORTEST_SEGMENTS[0])
+    longer = replace(maneuver, duration=duration)
+    best = solve_within_limits(longer, smoothest, start, on_the_way=True, check=check)
+    for segments, ratios in zip(SHORTEST_SEGMENTS, SHORTENINGS):
+        best = best and shortened(maneuver, best, segments, ratios, check)
+    return best
+
+
+def shortened(
+    maneuver: Maneuver,
+    best: tuple[Spline, Trajectory],
+    segments: int,
+    ratios: tuple[float, float],
+    check: Callable[[], None],
+) -> tuple[Spline, Trajectory]:
+    """Smoothest plan of the shortest duration: it is shortened by the first ratio, and by others up to the last one."""
+    start, (ratio, last) = best[0], ratios
+    while len(start.coefficients) - REST < segments:
+        start = refined(start)
+    while ratio < last:
+        shorter = replace(maneuver, duration=ratio * best[0].duration)
+        found = solve_within_limits(shorter, smoothest, start, LUKEWARM, on_the_way=True, check=check)
+        if found is None:
+            ratio = math.sqrt(ratio)
+        else:
+            best, start = found, found[0]
     return best
 
 
