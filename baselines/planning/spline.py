@@ -492,7 +492,7 @@ def solve_within_limits(
         check()
         bounds = Bounds((low, high), on_the_way, tighter, voltages, vias, iterations, above_floor)
         spline = optimum(maneuver, start, bounds, barrier)
-        if spline is None and lag is not None:  # curvature misleads far from the previous plan
+        if spline is None and lag is not None and voltages is not None:  # curvature misleads far from the last plan
             spline = optimum(maneuver, start, bounds._replace(bent=False), barrier)
         if spline is None and over:
             spline = solve_by_homotopy(maneuver, optimum, start, bounds._replace(tighter=over), check)
