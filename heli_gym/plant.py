@@ -138,27 +138,27 @@ def common_choices(value: Any) -> dict[str, int]:
 
 
 def choices(value: Any) -> list[dict[str, int]]:
-    """Positions of the options that are drawn together, for each combination of them."""
+    """Positions of the options that are drawn together, by name, for each combination of them."""
     counts = common_choices(value)
     return [dict(zip(counts, places)) for places in itertools.product(*map(range, counts.values()))]
 
 
-def options_at(value: OneOf, places: dict[str, int]) -> tuple:
-    """Options that are left when those drawn together have these positions."""
-    return (value.options[places[value.together]],) if value.together else value.options
+def at_choice(value: Any, places: dict[str, int]) -> Any:
+    """The value with the options that are drawn together replaced by those at these positions."""
+    if isinstance(value, OneOf):
+        if value.together:
+            return at_choice(value.options[places[value.together]], places)
+        return replace(value, options=tuple(at_choice(option, places) for option in value.options))
+    return with_parts(value, [at_choice(part, places) for part in parts_of(value)]) if common_choices(value) else value
 
 
 def alternatives(value: Any) -> list:
     """List of the value for each combination of the options nested in it."""
-    return [alternative for places in choices(value) for alternative in alternatives_at(value, places)]
-
-
-def alternatives_at(value: Any, places: dict[str, int]) -> list:
-    """`alternatives` when the options that are drawn together have these positions."""
+    if common_choices(value):
+        return [one for places in choices(value) for one in alternatives(at_choice(value, places))]
     if isinstance(value, OneOf):
-        return [alternative for option in options_at(value, places) for alternative in alternatives_at(option, places)]
-    parts = (alternatives_at(part, places) for part in parts_of(value))
-    return [with_parts(value, own) for own in itertools.product(*parts)]
+        return [alternative for option in value.options for alternative in alternatives(option)]
+    return [with_parts(value, parts) for parts in itertools.product(*map(alternatives, parts_of(value)))]
 
 
 def count_alternatives(value: Any) -> int:
@@ -166,7 +166,8 @@ def count_alternatives(value: Any) -> int:
 
     def count(value: Any, places: dict[str, int]) -> int:
         if isinstance(value, OneOf):
-            return sum(count(option, places) for option in options_at(value, places))
+            left = (value.options[places[value.together]],) if value.together else value.options
+            return sum(count(option, places) for option in left)
         return math.prod(count(part, places) for part in parts_of(value))
 
     return sum(count(value, places) for places in choices(value))

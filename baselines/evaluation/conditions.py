@@ -4,7 +4,20 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from heli_gym.plant import AXES, NOMINAL_RIGS, Gust, OneOf, Plant, RotorFault, Uniform, find_plant, parts_of
+from heli_gym.plant import (
+    AXES,
+    NOMINAL_RIGS,
+    Gust,
+    OneOf,
+    Plant,
+    RotorFault,
+    Uniform,
+    at_choice,
+    choices,
+    common_choices,
+    find_plant,
+    parts_of,
+)
 
 OUTSIDE = "+outside"
 # Magnitudes of our own choice, without a measurement behind them. For scale: `fleet` assumes Coulomb friction of up to
@@ -57,7 +70,12 @@ UNITS = {  # of plant parameters, by the last word of their names
 
 def describe_draw(plant: Plant, draw: Plant) -> list[tuple[str, str]]:
     """Names and values of the random parameters in a draw of a plant."""
-    return [(name.replace("_", " "), value) for name, value in random_values(plant, draw, "")]
+    counts, chosen = common_choices(plant), {}
+    if counts:
+        chosen = next((places for places in choices(plant) if fits(at_choice(plant, places), draw)), {})
+        plant = at_choice(plant, chosen) if chosen else plant
+    together = [(name, f"{place + 1} of {counts[name]}") for name, place in chosen.items()]
+    return together + [(name.replace("_", " "), value) for name, value in random_values(plant, draw, "")]
 
 
 def random_values(preset: Any, drawn: Any, name: str) -> Iterator[tuple[str, str]]:

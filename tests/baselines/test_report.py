@@ -17,6 +17,7 @@ from heli_gym.baselines.evaluation import figures, report
 from heli_gym.baselines.evaluation.conditions import describe_draw
 from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.env import Heli3DOFEnv
+from heli_gym.plant import PLANTS
 from heli_gym.task import control_grid
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
@@ -96,6 +97,14 @@ def test_the_draws_parameters_are_shown_with_their_ranges():
     nominal = Heli3DOFVectorEnv(1)
     nominal.reset(seed=0)
     assert describe_draw(nominal.plants[0], nominal.plant_of(0)) == []
+
+
+def test_options_that_are_drawn_together_are_named_once():
+    for k, rig in enumerate(PLANTS["fleet"].alternatives):
+        shown = describe_draw(PLANTS["fleet"], rig.draw(np.random.default_rng(k)))
+        names = [name for name, _ in shown]
+        assert shown[0] == ("rig", f"{k + 1} of 5")
+        assert names.count("coupling gyro") == 1 and "coupling" not in names
 
 
 def test_colours_and_names_are_the_same_in_the_figures_the_report_and_the_live_page(data):
