@@ -23,6 +23,7 @@ from heli_gym.baselines.control.safety import safety_filter
 from heli_gym.baselines.control.scheduled import gain_scheduled
 from heli_gym.baselines.control.tracking import feedforward_tvlqr, hover_lqr, open_loop
 from heli_gym.baselines.control.weights import WEIGHTS, weights_of
+from heli_gym.baselines.paper.tvlqr import LONGEST
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.rig import Rig, assumed_rig, find_rig, same_dynamics
 from heli_gym.trajectory import Trajectory
@@ -42,6 +43,7 @@ def residual(reference: Trajectory, control_period: float, rig: Rig) -> Policy:
 
 
 PERIODS = (1e-4, 1.0)  # s, control periods
+MOST_STEPS = 4_000_000  # control periods of a reference; more would fill the memory
 SAFE = "+safe"  # suffix of the name of a policy behind a `SafetyFilter`
 POLICIES: dict[str, Callable[..., Policy]] = {
     "open-loop": open_loop,
@@ -96,7 +98,7 @@ def make_policy(
 
     Raises:
         ValueError: for an unknown name; weights of another type; weights or a network for another rig; a control period
-            that is out of range; voltage limits that are not finite and increasing.
+            that is out of range; too long a reference; voltage limits that are not finite and increasing.
     """
     if not isinstance(reference, Trajectory):
         raise ValueError(f"reference = {shown(reference)}: must be a Trajectory")
@@ -106,6 +108,12 @@ def make_policy(
     if not (is_number(control_period) and shortest <= control_period <= longest):
         raise ValueError(
             f"control_period = {shown(control_period)}: must be at least {shortest:g} and at most {longest:g} s"
+        )
+    most = min(LONGEST, MOST_STEPS * control_period)
+    if reference.duration > most:
+        raise ValueError(
+            f"reference = a Trajectory of {reference.duration:g} s: must be of at most {most:g} s, "
+            f"with control_period = {control_period:g}"
         )
     if parameters is not None and rig is not None:
         raise ValueError(f"parameters = {shown(parameters)}: must not be given together with a rig")

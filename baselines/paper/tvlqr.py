@@ -14,6 +14,7 @@ from heli_gym.rig import Rig, assumed_rig
 from heli_gym.trajectory import Trajectory
 
 SAMPLE = 0.02  # s, longest time between two samples of the gains
+LONGEST = 1e4  # s, duration of a reference; gains along a longer one would fill the memory
 CORNER = 0.03  # V/s, change of a voltage's slope at which a step of the Riccati integration ends
 STIFF = 1e-4  # estimated relative error of a step above which the stiff integrator is used
 SYMMETRY = 1e-5  # largest relative difference of two entries of a symmetric matrix
@@ -97,8 +98,11 @@ def riccati_gains(
             infinite time, so that the final gains are those of the stationary regulator.
 
     Raises:
-        ValueError: if a weight has the wrong shape, is not symmetric or not positive (semi)definite.
+        ValueError: if a weight has the wrong shape, is not symmetric or not positive (semi)definite; if the reference is
+            longer than LONGEST.
     """
+    if reference.duration > LONGEST:
+        raise ValueError(f"reference = a Trajectory of {reference.duration:g} s: must be of at most {LONGEST:g} s")
     Q, R = check_weight("Q", Q, 6), check_weight("R", R, 2, definite=True)
     rig = assumed_rig(reference, rig)
     parameters = rig.parameters

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from heli_gym import HelicopterParameters, Limits, Maneuver, Rig, Trajectory
-from heli_gym.baselines import ManeuverSampler, fly, make_policy, plan, plan_fastest
+from heli_gym.baselines import ManeuverSampler, fly, make_policy, plan, plan_fastest, riccati_gains
 from heli_gym.baselines.evaluation.scoring import evaluate
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import (
@@ -87,6 +87,14 @@ def test_conversions_and_lookups_refuse_odd_values(value):
         env.to_action([value, value])
     with pytest.raises(ValueError, match="t = "):
         REFERENCE(value)
+
+
+def test_a_reference_too_long_for_gains_along_it_is_refused_by_name():
+    days = Trajectory([0.0, 1e5], *TWO[::-1])
+    with pytest.raises(ValueError, match=r"reference = a Trajectory of 100000 s: must be of at most 10000 s"):
+        make_policy("feedforward+tvlqr", days)
+    with pytest.raises(ValueError, match=r"reference = a Trajectory of 100000 s: must be of at most 10000 s"):
+        riccati_gains(days)
 
 
 @pytest.mark.parametrize("load", [Trajectory.load, Rig.load])
