@@ -98,8 +98,8 @@ def riccati_gains(
             infinite time, so that the final gains are those of the stationary regulator.
 
     Raises:
-        ValueError: if a weight has the wrong shape, is not symmetric or not positive (semi)definite; if the reference is
-            longer than LONGEST.
+        ValueError: if a weight has the wrong shape, is not symmetric or not positive (semi)definite, or the reference
+            is longer than LONGEST.
     """
     if reference.duration > LONGEST:
         raise ValueError(f"reference = a Trajectory of {reference.duration:g} s: must be of at most {LONGEST:g} s")
