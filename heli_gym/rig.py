@@ -250,7 +250,7 @@ class Rig:
                 raise ValueError(
                     f"{name} = {window[0]:g} to {window[1]:g} V: must permit hover, which takes a thrust of "
                     f"{0.5 * lift:.4g} N of each rotor by a2 = {self.parameters.a2:g} and b2 = {self.parameters.b2:g}, "
-                    f"and the thrust map gives {least:.4g} to {most:.4g} N"
+                    f"and thrust_map, {_curves(self.thrust_map)}, gives {least:.4g} to {most:.4g} N"
                 )
 
     # Thrust and voltage
@@ -677,6 +677,15 @@ def _describe(thrust_map: ThrustMap) -> str:
 
     front, back = words(thrust_map.front), words(thrust_map.back)
     return front if front == back else f"{front} (front), {back} (back)"
+
+
+def _curves(thrust_map: ThrustMap) -> str:
+    """Names of the fields of both curves, with the coefficients of power laws, for messages."""
+    curves = (thrust_map.front,) if thrust_map.front == thrust_map.back else (thrust_map.front, thrust_map.back)
+    return " and ".join(
+        f"{len(curve.thrusts)} thrusts" if isinstance(curve, TableCurve) else f"k_plus = {curve.k_plus:g}"
+        for curve in curves
+    )
 
 
 def _plain(value: Any) -> str:

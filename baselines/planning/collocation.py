@@ -138,7 +138,9 @@ def collocate(
         rows = np.zeros((6, n + 1))
         rows[0], rows[2] = np.interp(share, shares, travel), np.interp(share, shares, elevation)
         for row in (1, 3):
-            rows[row] = np.gradient(rows[row - 1], share * maneuver.duration)
+            with np.errstate(all="ignore"):  # a via point next to the start, whose phase has no duration
+                rates = np.gradient(rows[row - 1], share * maneuver.duration)
+            rows[row] = np.where(np.isfinite(rates), rates, 0.0)
         if maneuver.is_from_rest_to_rest:
             rows[1] = rows[3] = 0.0
         problem.set_initial(X, rows)

@@ -169,6 +169,7 @@ def test_masses_that_make_no_rig_are_refused_by_name(change, message):
             {"thrust_map": ThrustMap(*[PowerCurve(1.0, dead_zone=1e9)] * 2)},
             r"thrust_map.front.dead_zone = 1000000000.0",
         ),
+        ({"parameters": HelicopterParameters(k_plus=3.5)}, r"limits = .*thrust_map, k_plus = 3.5, gives 3.5"),
         ({"thrust_map": 3}, r"thrust_map = 3: must be a ThrustMap"),
         ({"limits": (1.0, 11.0)}, r"limits = \(1.0, 11.0\): must be Limits"),
         ({"name": 3}, r"name = 3: must be text"),
