@@ -244,6 +244,19 @@ def print_step_times(policy: str, flights: int = 10) -> None:
     )
 
 
+def update_table(rows: Sequence[dict[str, Any]]) -> None:
+    """Put rows into the table, in place of all rows of their maneuvers and plants."""
+    flown = {(row["reference"], row["plant"]) for row in rows}
+    others = [row for row in read_table() if (row["reference"], row["plant"]) not in flown] if TABLE.is_file() else []
+    write_csv(TABLE, sorted([*others, *rows], key=lambda row: (row["reference"], row["plant"], row["policy"])))
+
+
+def read_table() -> list[dict[str, str]]:
+    """Rows of the table."""
+    with open(TABLE, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
 def write_csv(path: Path, rows: Sequence[dict[str, Any]]) -> None:
     """Write rows as CSV with four digits."""
     with atomic_write(path) as file:
@@ -362,8 +375,7 @@ def studies_table() -> list[str]:
 
 def write_docs() -> None:
     """Put the tables into the pages."""
-    with open(TABLE, newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
+    rows = read_table()
     replace_between(PAGE, BEGIN, END, f"{tables(rows)}\n### What each takes\n\n" + "\n".join(costs_table(rows)))
     replace_between(CONTROLLERS, STUDIES_BEGIN, STUDIES_END, "\n".join(studies_table()))
 
@@ -391,7 +403,7 @@ def main() -> None:
     if args.run:
         fly_field(args.run, args.parts, args.workers)
     if args.folders:
-        write_csv(TABLE, aggregate(flights(args.folders)))
+        update_table(aggregate(flights(args.folders)))
     if args.docs:
         write_docs()
 
