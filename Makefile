@@ -58,7 +58,7 @@ build/types:
 ANY := out/train/runs/lab/$(METHOD)@lab-any-maneuver/0/best.json
 
 reproduce: $(VENV)/dev
-	@echo "ten searches for weights, 25 training runs, four tables; may be interrupted"
+	@echo "ten searches for weights, 64 training runs, four tables; may be interrupted"
 	@echo "some two hours of one idle core, estimated from measured parts: no machine has run it whole in one go"
 	for plant in lab rigid; do \
 	  for policy in $(TUNED); do \
@@ -72,12 +72,12 @@ reproduce: $(VENV)/dev
 	for study in lab rigid fleet any-maneuver; do \
 	  $(SWEEP) results/studies/$$study.toml --out out/train || exit 1; \
 	done
-	for study in whole memory law features ppo; do \
+	for study in whole memory law features learners; do \
 	  $(SWEEP) results/studies/ablation-$$study.toml --out out/ablation || exit 1; \
 	done
 	for plant in lab rigid; do \
 	  $(BIN)/heli-results --plant $$plant --methods "out/train/runs/$$plant/$(METHOD)@$$plant-initialised" \
-	    --policies feedforward+tvlqr $(TUNED:%=%@PLANT) adaptive-mpc --oracle 20 --out out/results || exit 1; \
+	    --policies feedforward+tvlqr $(TUNED:%=%@PLANT) adaptive-mpc --oracle 100 --out out/results || exit 1; \
 	done
 	$(BIN)/heli-results --plant fleet --rig fleet --methods out/train/runs/fleet.fleet/$(METHOD)-initialised \
 	  --against feedforward+tvlqr --policies $(ON_FLEET) --out out/results
