@@ -58,7 +58,7 @@ build/types:
 ANY := out/train/runs/lab/$(METHOD)@lab-any-maneuver/0/best.json
 
 reproduce: $(VENV)/dev
-	@echo "ten searches for weights, 64 training runs, four tables; may be interrupted"
+	@echo "ten searches for weights, 54 training runs, four tables; may be interrupted"
 	@echo "some two hours of one idle core, estimated from measured parts: no machine has run it whole in one go"
 	for plant in lab rigid; do \
 	  for policy in $(TUNED); do \
