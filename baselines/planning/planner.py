@@ -372,7 +372,8 @@ def slower_than_requested(maneuver: Maneuver, fastest: spline.Spline) -> Infeasi
 def fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> tuple[spline.Spline, Trajectory]:
     """Fastest spline and its validated trajectory. Raises InfeasibleManeuver if there is none."""
     limits = maneuver.limits
-    for share in PITCH_RESERVES:
+    # the commands of plans that lead are sampled anew after the dead time, which must not exceed the limits either
+    for share in PITCH_RESERVES[1:] if maneuver.lead else PITCH_RESERVES:
         pitch_min, pitch_max = (1.0 - share) * limits.pitch_min, (1.0 - share) * limits.pitch_max
         narrower = replace(maneuver, limits=replace(limits, pitch_min=pitch_min, pitch_max=pitch_max))
         found = spline.plan_fastest(narrower, clock.check)
