@@ -12,7 +12,7 @@ LARGEST_JUMP = 0.02  # V, of commands, that is spread over the intervals around 
 JUMP = 1e-6  # s, in which a plan's voltages jump
 UNIFORM = 1e-9  # s, difference of sampling periods up to which they are one
 MANY = 100  # pieces of uniform sampling from which a loop is faster
-RESOLUTION = 8  # decimals of a sampling time in s
+RESOLUTION = 10  # decimals of a sampling time in s, fine enough for jumps
 
 
 def rotor_voltages(t: np.ndarray, u: np.ndarray, lag: float, delay: float, before: np.ndarray) -> np.ndarray:
