@@ -117,12 +117,13 @@ def constraints(args: Args, console: Console, engine: Engine) -> None:
 
 
 def objectives(args: Args, console: Console, engine: Engine) -> None:
-    """Flights of the paper's controller along plans for each objective, on `lab` and `fleet`."""
+    """Flights of the paper's controller along plans for each objective, on `lab` and, for its own rig, on `fleet`."""
     rows: list[dict[str, Any]] = []
     for duration in OBJECTIVE_DURATIONS:
         for objective in ("effort", "reserve", "smoothest"):
-            trajectory = plan(Maneuver(duration=duration, rig=find_rig(args.rig)), objective=objective)
             for plant in ("lab", "fleet"):
+                rig = find_rig(args.rig if plant == "lab" else plant)
+                trajectory = plan(Maneuver(duration=duration, rig=rig), objective=objective)
                 flown = flights(trajectory, plant, args.draws, seed=0)
                 rows.append({"objective": objective, "duration (s)": duration, "plant": plant, **flown})
                 write_csv(args.out / "objectives.csv", rows)
