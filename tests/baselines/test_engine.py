@@ -75,7 +75,16 @@ def test_an_error_of_a_task_is_raised_here_and_ends_the_others(engine):
         list(engine.results(tasks.refuse, range(100)))
 
 
+@pytest.fixture
+def interruptible():
+    """SIGINT raises KeyboardInterrupt, which a shell's background jobs ignore otherwise."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @pytest.mark.slow
+@pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_lets_running_tasks_finish_where_this_is_wanted(tmp_path):
     engine, found = LocalEngine(2, finish=True), []
     begun = threading.Thread(target=interrupt_after_two, args=(tmp_path,))
@@ -99,6 +108,7 @@ def interrupt_after_two(folder, ending=True):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_ends_running_tasks_otherwise(tmp_path):
     begun = threading.Thread(target=interrupt_after_two, args=(tmp_path, False))
     begun.start()
