@@ -2,7 +2,7 @@
 
 from heli_gym.baselines.control.policies import POLICIES, make_policy
 from heli_gym.baselines.control.protocol import Policy
-from heli_gym.baselines.control.residual_action import ResidualAction, VectorResidualAction
+from heli_gym.baselines.control.residual.action import ResidualAction, VectorResidualAction
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.evaluation.scoring import evaluate

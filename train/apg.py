@@ -21,7 +21,7 @@ from heli_gym.baselines.control.residual import (
     RecurrentNetwork,
     ResidualPolicy,
 )
-from heli_gym.baselines.control.residual_step import FLIGHT_FEATURES, SINGLE_GROUPS, time_features
+from heli_gym.baselines.control.residual.step import FLIGHT_FEATURES, SINGLE_GROUPS, time_features
 from heli_gym.baselines.control.tracking import TrackingPolicy
 from heli_gym.parameters import Coupling
 from heli_gym.plant import ThrustDrift

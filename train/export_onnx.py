@@ -13,8 +13,7 @@ import numpy as np
 import onnx
 from onnx import TensorProto, helper, numpy_helper
 
-from heli_gym.baselines.control.learned_files import LEARNED, load_learned
-from heli_gym.baselines.control.residual import Network, RecurrentNetwork
+from heli_gym.baselines.control.residual import LEARNED, Network, RecurrentNetwork, load_learned
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.storage import atomic_write, check_folder
 

@@ -28,10 +28,19 @@ from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.logger import configure
 from stable_baselines3.common.utils import set_random_seed
 
-from heli_gym.baselines.control.learned_files import Learned, load_learned, save_learned
 from heli_gym.baselines.control.policies import POLICIES, make_policy
-from heli_gym.baselines.control.residual import AHEAD, CELL, FEATURE_GROUPS, Network, RecurrentNetwork, ResidualPolicy
-from heli_gym.baselines.control.residual_step import SINGLE_GROUPS
+from heli_gym.baselines.control.residual import (
+    AHEAD,
+    CELL,
+    FEATURE_GROUPS,
+    Learned,
+    Network,
+    RecurrentNetwork,
+    ResidualPolicy,
+    load_learned,
+    save_learned,
+)
+from heli_gym.baselines.control.residual.step import SINGLE_GROUPS
 from heli_gym.baselines.control.weights import weights_file
 from heli_gym.baselines.evaluation.metrics import HALVING_ERROR, Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many

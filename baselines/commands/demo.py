@@ -18,8 +18,7 @@ from scipy.linalg import solve_discrete_are
 
 from heli_gym.baselines.control.discrete_lqr import sampled_problem
 from heli_gym.baselines.control.estimation import START_DEVIATIONS, encoder_noise, least_lift, nominal_actuator
-from heli_gym.baselines.control.learned_files import LEARNED, load_learned
-from heli_gym.baselines.control.residual import CELL, FEATURE_CLIP, STATE_SCALE, RecurrentNetwork
+from heli_gym.baselines.control.residual import CELL, FEATURE_CLIP, LEARNED, STATE_SCALE, RecurrentNetwork, load_learned
 from heli_gym.baselines.control.weights import ObserverWeights, weights_of
 from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.baselines.evaluation.report import WEB, body_of, check_page, model_data, plain, write_page
@@ -71,7 +70,7 @@ NETWORK_FOR = {
     "nominal": "lab",
     "lab": "lab",
     "rigid": "rigid",
-}  # name in `heli_gym.baselines.control.learned_files.LEARNED`, by plant
+}  # name in `heli_gym.baselines.control.residual.LEARNED`, by plant
 
 
 @dataclass

@@ -14,11 +14,11 @@ from heli_gym.baselines.control.cascade import flatness, pd_cascade
 from heli_gym.baselines.control.constant import middle_voltage, zero
 from heli_gym.baselines.control.discrete_lqr import Weights
 from heli_gym.baselines.control.l1_adaptive import l1_adaptive
-from heli_gym.baselines.control.learned_files import LEARNED, learned_policy
 from heli_gym.baselines.control.linear_mpc import linear_mpc
 from heli_gym.baselines.control.model_based import kalman_lqr, lag_lqi, lag_lqr, lqi
 from heli_gym.baselines.control.predictive import adaptive_lqr, adaptive_mpc, nmpc
 from heli_gym.baselines.control.protocol import Policy
+from heli_gym.baselines.control.residual import LEARNED, learned_policy
 from heli_gym.baselines.control.safety import safety_filter
 from heli_gym.baselines.control.scheduled import gain_scheduled
 from heli_gym.baselines.control.tracking import feedforward_tvlqr, hover_lqr, open_loop

@@ -18,8 +18,7 @@ import numpy as np
 from heli_gym import Maneuver, Trajectory
 from heli_gym.baselines import plan
 from heli_gym.baselines.control import weights as weights_module
-from heli_gym.baselines.control.learned_files import LEARNED, load_learned
-from heli_gym.baselines.control.residual import Network
+from heli_gym.baselines.control.residual import LEARNED, Network, load_learned
 from heli_gym.baselines.control.weights import stored_weights
 from heli_gym.baselines.evaluation.agents import load_onnx, load_sb3
 from heli_gym.baselines.evaluation.leaderboard import Batch, Condition, Ledger, Settings, fly_batch, line_of, standings

@@ -7,8 +7,16 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym.baselines import fly, make_policy
-from heli_gym.baselines.control.learned_files import LEARNED, Learned, learned_policy, load_learned, save_learned
-from heli_gym.baselines.control.residual import FEATURE_GROUPS, Network, ResidualPolicy
+from heli_gym.baselines.control.residual import (
+    FEATURE_GROUPS,
+    LEARNED,
+    Learned,
+    Network,
+    ResidualPolicy,
+    learned_policy,
+    load_learned,
+    save_learned,
+)
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many
 from heli_gym.env import Heli3DOFEnv, find_reference, reference_for

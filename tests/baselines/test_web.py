@@ -13,7 +13,7 @@ from scipy.interpolate import interp1d
 from heli_gym import HelicopterParameters, Maneuver, linearise
 from heli_gym.baselines import fly, make_policy, plan_fastest, riccati_gains
 from heli_gym.baselines.commands import demo
-from heli_gym.baselines.control.learned_files import LEARNED, load_learned
+from heli_gym.baselines.control.residual import LEARNED, load_learned
 from heli_gym.baselines.evaluation.report import WEB
 from heli_gym.baselines.paper.boundary_value import ConstrainedProblem
 from heli_gym.env import Heli3DOFEnv

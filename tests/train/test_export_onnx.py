@@ -7,8 +7,7 @@ pytest.importorskip("onnx")
 from onnx import load
 from onnx.reference import ReferenceEvaluator
 
-from heli_gym.baselines.control.learned_files import LEARNED, load_learned
-from heli_gym.baselines.control.residual import Network, RecurrentNetwork
+from heli_gym.baselines.control.residual import LEARNED, Network, RecurrentNetwork, load_learned
 from heli_gym.train.export_onnx import Args, main, onnx_model
 
 

@@ -11,7 +11,7 @@ from numpy.testing import assert_array_equal
 from rich.console import Console
 
 from heli_gym.baselines import fly, make_policy
-from heli_gym.baselines.control.learned_files import load_learned, save_learned
+from heli_gym.baselines.control.residual import load_learned, save_learned
 from heli_gym.baselines.evaluation.statistics import improvement, interquartile_mean
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import Plant, Push, find_plant

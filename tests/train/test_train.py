@@ -14,9 +14,8 @@ from rich.console import Console  # noqa: E402
 from stable_baselines3 import PPO  # noqa: E402
 
 from heli_gym.baselines import make_policy  # noqa: E402
-from heli_gym.baselines.control.learned_files import load_learned  # noqa: E402
-from heli_gym.baselines.control.residual import ResidualPolicy  # noqa: E402
-from heli_gym.baselines.control.residual_step import SINGLE_GROUPS  # noqa: E402
+from heli_gym.baselines.control.residual import ResidualPolicy, load_learned  # noqa: E402
+from heli_gym.baselines.control.residual.step import SINGLE_GROUPS  # noqa: E402
 from heli_gym.baselines.evaluation.metrics import flight_metrics  # noqa: E402
 from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
 from heli_gym.env import find_reference  # noqa: E402

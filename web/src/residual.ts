@@ -1,4 +1,4 @@
-// A learned correction on top of the paper's controller, as baselines/control/residual.py has it.
+// A learned correction on top of the paper's controller, as baselines/control/residual/policy.py has it.
 
 import { type Matrix, applied, float32, minus } from "./matrices";
 import { type Pair, clip } from "./model";

@@ -11,15 +11,9 @@ from typing import Any
 import numpy as np
 
 from heli_gym.baselines.control.protocol import Policy
-from heli_gym.baselines.control.residual import (
-    AHEAD,
-    CELL,
-    FEATURE_GROUPS,
-    LAWS,
-    Network,
-    RecurrentNetwork,
-    ResidualPolicy,
-)
+from heli_gym.baselines.control.residual.features import AHEAD, FEATURE_GROUPS
+from heli_gym.baselines.control.residual.networks import CELL, Network, RecurrentNetwork
+from heli_gym.baselines.control.residual.policy import LAWS, ResidualPolicy
 from heli_gym.rig import PAPER, Rig, check_same_rig
 from heli_gym.storage import atomic_write, read_json_object
 from heli_gym.trajectory import Trajectory

@@ -1,19 +1,18 @@
 """Fast control step of a `ResidualPolicy`, for one helicopter and the most common form of the correction."""
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from heli_gym.baselines.control.residual import (
-    FEATURE_CLIP,
-    FEATURE_GROUPS,
-    RecurrentNetwork,
-    ResidualPolicy,
-    normalise_voltage,
-)
+from heli_gym.baselines.control.residual.features import FEATURE_CLIP, FEATURE_GROUPS, normalise_voltage
+from heli_gym.baselines.control.residual.networks import RecurrentNetwork
 from heli_gym.baselines.control.tracking import TrackingPolicy
 from heli_gym.task import TOLERANCE
 from heli_gym.thrust_map import PowerCurve
+
+if TYPE_CHECKING:
+    from heli_gym.baselines.control.residual.policy import ResidualPolicy
 
 SINGLE_GROUPS = ("error", "voltages", "preview")  # in the order of the features
 FLIGHT_FEATURES = (*range(8), 10, 11)  # indices in SINGLE_GROUPS; the other features depend on time alone
@@ -44,7 +43,7 @@ class SingleStep:
         policy: policy whose step is computed.
     """
 
-    def __init__(self, policy: ResidualPolicy) -> None:
+    def __init__(self, policy: "ResidualPolicy") -> None:
         base, network = policy.base, policy.network
         assert isinstance(base, TrackingPolicy)  # `serves`
         T, n, F = policy.x.shape[1], network.size, network.weight_input.shape[1]
@@ -79,7 +78,7 @@ class SingleStep:
         self.new, self.old = np.empty(n), np.empty(n)
 
     @staticmethod
-    def serves(policy: ResidualPolicy) -> bool:
+    def serves(policy: "ResidualPolicy") -> bool:
         """Whether the policy has this form."""
         network, base = policy.network, policy.base
         return (

@@ -6,41 +6,31 @@ the amplifier's range by tens of volts. The law "sum" is u = sat(u_base + scale 
 The network receives the controller's signals (`FEATURE_GROUPS`) and nothing of the plant's draw; numpy evaluates it.
 """
 
-import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from heli_gym.baselines.control.model_based import ModelPolicy
 from heli_gym.baselines.control.protocol import Policy, StatefulPolicy, expand_batch_dims, step_index
+from heli_gym.baselines.control.residual.features import (
+    AHEAD,
+    BEFORE,
+    DISTURBANCE_SCALE,
+    FEATURE_CLIP,
+    FEATURE_GROUPS,
+    INTEGRAL_SCALE,
+    STATE_SCALE,
+    normalise_voltage,
+)
+from heli_gym.baselines.control.residual.networks import RecurrentNetwork
+from heli_gym.baselines.control.residual.step import SingleStep
 from heli_gym.parameters import AMPLIFIER_LIMITS
 from heli_gym.task import TOLERANCE, control_grid
 from heli_gym.trajectory import Trajectory
 from heli_gym.validation import is_number
 
-if TYPE_CHECKING:
-    from heli_gym.baselines.control.residual_step import SingleStep
-
 LAWS = ("sum", "saturated")
-AHEAD = (0.0, 0.2, 0.4, 0.8)  # s, previews of the reference
-BEFORE = (0.1, 0.2, 0.4)  # s, ages of past errors and corrections
-FEATURE_GROUPS = {
-    "error": "of all six states, in tolerances",
-    "integral": "of the errors of travel and elevation",
-    "voltages": "of the base policy, nominal, and the last correction",
-    "estimate": "of the disturbances and the rotor speeds, by the base policy, where it is a `ModelPolicy`",
-    "preview": "of the reference, now and ahead",
-    "past": "errors of the angles, and corrections",
-}
-STATE_SCALE = np.array([math.pi, 1.0, 0.2, 0.5, 1.0, 2.0])  # rad and rad/s, scales of the previewed reference
-DISTURBANCE_SCALE, INTEGRAL_SCALE, FEATURE_CLIP = 0.2, 0.1, 5.0  # rad/s², rad s, bound of all features
-
-
-def normalise_voltage(u: Any, voltage_limits: tuple[float, float]) -> Any:
-    """Map voltages u in V to [-1, 1] over the amplifier's range."""
-    low, high = voltage_limits
-    return (u - 0.5 * (low + high)) / (0.5 * (high - low))
 
 
 class Memory(NamedTuple):
@@ -81,7 +71,7 @@ class ResidualPolicy:
     law: str = "saturated"
     ahead: tuple[float, ...] = AHEAD
     memory: Memory | None = field(default=None, init=False, repr=False)
-    single_step: "SingleStep | None" = field(default=None, init=False, repr=False)
+    single_step: SingleStep | None = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
         if not (is_number(self.scale) and self.scale >= 0.0):
@@ -112,11 +102,8 @@ class ResidualPolicy:
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
         measurement = np.asarray(measurement, dtype=float)
         if self.memory is None and measurement.ndim == 1 and np.ndim(t) == 0:
-            if self.single_step is None:
-                from heli_gym.baselines.control.residual_step import SingleStep  # which imports this module
-
-                if SingleStep.serves(self):
-                    self.single_step = SingleStep(self)
+            if self.single_step is None and SingleStep.serves(self):
+                self.single_step = SingleStep(self)
             if self.single_step is not None:
                 return self.single_step(float(t), measurement)
         u_base, features = self.observe(t, measurement)
@@ -193,48 +180,3 @@ class ResidualPolicy:
             self.memory.hidden,
         )
         return u
-
-
-class Network(NamedTuple):
-    """Layers of weights (out, in) and biases (out,), with tanh between them."""
-
-    weights: tuple[np.ndarray, ...]
-    biases: tuple[np.ndarray, ...]
-    tanh_output: bool  # whether tanh follows the last layer
-
-    def __call__(self, features: np.ndarray) -> np.ndarray:
-        """Actions (2, ...) for features (F, ...)."""
-        value = features
-        for layer, (weight, bias) in enumerate(zip(self.weights, self.biases)):
-            value = weight @ value + expand_batch_dims(bias, value)
-            if layer < len(self.weights) - 1 or self.tanh_output:
-                value = np.tanh(value)
-        return value
-
-
-class RecurrentNetwork(NamedTuple):
-    """GRU cell (Cho et al., 2014; gates in torch's order: reset, update, new), followed by the layers of a network."""
-
-    weight_input: np.ndarray  # (3 n, F)
-    weight_hidden: np.ndarray  # (3 n, n)
-    bias_input: np.ndarray  # (3 n,)
-    bias_hidden: np.ndarray  # (3 n,)
-    head: Network
-
-    @property
-    def size(self) -> int:
-        """Number n of hidden states."""
-        return self.weight_hidden.shape[1]
-
-    def __call__(self, features: np.ndarray, hidden: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Actions (2, ...) and next hidden state (n, ...) for features (F, ...) and a hidden state (n, ...)."""
-        n = self.size
-        x = self.weight_input @ features + expand_batch_dims(self.bias_input, features)
-        h = self.weight_hidden @ hidden + expand_batch_dims(self.bias_hidden, features)
-        gates = 0.5 + 0.5 * np.tanh(0.5 * (x[: 2 * n] + h[: 2 * n]))  # sigmoid, without overflow
-        new = np.tanh(x[2 * n :] + gates[:n] * h[2 * n :])
-        hidden = new + gates[n:] * (hidden - new)
-        return self.head(hidden), hidden
-
-
-CELL = ("weight_input", "weight_hidden", "bias_input", "bias_hidden")
