@@ -17,10 +17,8 @@ import heli_gym
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.model import thrust
 from heli_gym.parameters import Limits
-from heli_gym.rendering import ARROW, EYE, GHOST, LIMIT, OVERSAMPLING, Renderer, RenderState, travel_interval
-from heli_gym.rig import PAPER as PAPER_RIG
-from heli_gym.rig import find_rig
-from heli_gym.rig_geometry import (
+from heli_gym.rendering import Renderer, RenderState
+from heli_gym.rendering.geometry import (
     BACK,
     FRONT,
     RIG,
@@ -39,6 +37,10 @@ from heli_gym.rig_geometry import (
     shadows,
     tube,
 )
+from heli_gym.rendering.renderer import ARROW, EYE, GHOST, LIMIT, OVERSAMPLING
+from heli_gym.rendering.scene import travel_interval
+from heli_gym.rig import PAPER as PAPER_RIG
+from heli_gym.rig import find_rig
 from heli_gym.rigid_body import mjcf
 
 HOVER_THRUST = 0.5 * 0.3946 / 0.6523  # N, of each rotor

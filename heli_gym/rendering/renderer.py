@@ -1,23 +1,14 @@
-"""Rendering: the rig in perspective, its reference as a ghost, and gauges.
-
-`Renderer` draws a `RenderState` of plain values, so that it shows any flight, with or without an environment.
-"""
+"""Pictures of the rig in perspective, its reference as a ghost, and gauges."""
 
 import logging
 import math
-import os
-from collections.abc import Sequence
-from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
-import gymnasium as gym
 import numpy as np
 
 from heli_gym.model import hover_input
-from heli_gym.parameters import AMPLIFIER_LIMITS, PITCH_STOP, Limits
-from heli_gym.rig import PAPER as PAPER_RIG
-from heli_gym.rig import Rig
-from heli_gym.rig_geometry import (
+from heli_gym.rendering.display import has_display, load_pygame
+from heli_gym.rendering.geometry import (
     BACK,
     FLOOR,
     FRONT,
@@ -42,6 +33,7 @@ from heli_gym.rig_geometry import (
     shadows,
     stripe,
 )
+from heli_gym.rendering.scene import RenderState, in_space, travel_interval
 
 SKY, PLATE, GRID, MARK, BASE = (246, 248, 250), (233, 237, 242), (221, 226, 233), (186, 195, 205), (196, 204, 213)
 PAPER, INK, NOTE, TRACK = (255, 255, 255), (34, 45, 56), (104, 116, 128), (226, 231, 236)
@@ -49,44 +41,6 @@ GHOST, LIMIT = (0, 158, 115), (213, 94, 0)  # of the palette of Okabe and Ito, l
 WINDOW = (201, 229, 219)  # of the plan's limits
 WAY = (86, 180, 233)
 SHADOW, GHOSTLY, WAY_FLOWN = (40, 55, 70, 38), (*GHOST, 120), (*WAY, 110)  # RGBA, opacity out of 255
-
-
-class RenderState(NamedTuple):
-    """Contents of a picture at one instant, in rad, rad/s, V and s."""
-
-    state: Sequence[float]  # (6,), the order of (44)
-    voltage: Sequence[float]  # (2,), front and back
-    reference: Sequence[float]  # (6,), drawn as the ghost
-    nominal_voltage: Sequence[float]  # (2,)
-    time: float
-    duration: float
-    travel_start: float = 0.0  # travel at the start of the maneuver
-    limits: Limits = Limits()  # of the plan
-    voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
-    pitch_limit: float = PITCH_STOP  # where the flight ends
-    rig: Rig = PAPER_RIG  # whose thrust map and signs of angles the picture shows
-    title: str = ""
-    note: str = ""  # below the title, as a warning
-
-
-def in_space(scene: RenderState) -> RenderState:
-    """The scene with the paper's signs of the angles, for a rig whose coefficients imply others.
-
-    Thrust then lifts the arm (b2 < 0), more thrust in front raises the front rotor (b3 > 0), and a raised front rotor
-    turns the arm clockwise (b1 < 0).
-    """
-    p = scene.rig.parameters
-    pitch, elevation = (1.0 if p.b3 > 0.0 else -1.0), (1.0 if p.b2 < 0.0 else -1.0)
-    travel = pitch if p.b1 < 0.0 else -pitch
-    signs = np.repeat((travel, elevation, pitch), 2)
-    pitches = sorted(pitch * limit for limit in scene.limits.pitch)
-    return scene._replace(
-        state=(signs * scene.state).tolist(),
-        reference=(signs * scene.reference).tolist(),
-        travel_start=travel * scene.travel_start,
-        limits=replace(scene.limits, pitch_min=pitches[0], pitch_max=pitches[1]),
-    )
-
 
 WIDTH, HEIGHT, VIEW = 640.0, 480.0, 362.0  # layout units; VIEW is the height at which the gauges begin
 OVERSAMPLING = 2  # pixels of the canvas per pixel of the picture, along each side
@@ -101,32 +55,8 @@ BAR_LEFT, BAR_LENGTH, BAR_HEIGHT, BARS = 384.0, 186.0, 14.0, (393.0, 421.0)
 MOST_FRAMES = 60.0  # per second of the flight, in a window
 
 
-def load_pygame() -> Any:
-    """Import pygame. Raises gymnasium.error.DependencyNotInstalled without it."""
-    try:
-        import pygame
-        import pygame.gfxdraw
-    except ImportError as error:
-        raise gym.error.DependencyNotInstalled(
-            'pygame is not installed: `pip install "heli-gym[render]"` brings it'
-        ) from error
-    return pygame
-
-
-INVISIBLE = ("dummy", "offscreen")  # SDL's drivers without a screen
-
-
-def has_display(pygame: Any) -> bool:
-    """Initialise pygame's display, and return whether a window can be seen.
-
-    The environment variable SDL_VIDEODRIVER may choose an invisible driver on purpose, which counts as seen.
-    """
-    pygame.display.init()
-    return pygame.display.get_driver() not in INVISIBLE or bool(os.environ.get("SDL_VIDEODRIVER"))
-
-
 class Renderer:
-    """Draw scenes as pictures or in a window; only this class imports pygame.
+    """Draw scenes as pictures or in a window.
 
     Args:
         width: of the picture in pixels, a multiple of 8; the height is three quarters of it.
@@ -363,12 +293,6 @@ class Renderer:
         """Fill a polygon (2, N) on the floor, in m, and return its bounding rectangle."""
         raised = np.concatenate((points, np.full((1, points.shape[1]), FLOOR)))
         return self.pygame.draw.polygon(surface, colour, project(raised, self.camera)[0].T.tolist())
-
-
-def travel_interval(scene: RenderState) -> tuple[float, float]:
-    """Interval of travel in rad flown since the start, at most one turn."""
-    start, now = scene.travel_start, scene.state[0]
-    return start, start + min(max(now - start, -2.0 * math.pi), 2.0 * math.pi)
 
 
 def rectangle(left: float, right: float, top: float, bottom: float) -> np.ndarray:
