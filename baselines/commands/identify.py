@@ -18,7 +18,8 @@ from heli_gym.baselines.evaluation import log_figures
 from heli_gym.baselines.evaluation.figures import DPI
 from heli_gym.baselines.identification.estimation import Identification, ablation_cases, identify
 from heli_gym.baselines.identification.experiment import LONGEST, design
-from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog, find_log
+from heli_gym.baselines.identification.flight_log import FlightLog, find_log
+from heli_gym.baselines.identification.log_quantities import ANGLES
 from heli_gym.baselines.identification.prediction import (
     FilteredLog,
     Validation,

@@ -11,7 +11,8 @@ import tyro
 
 from heli_gym.baselines.evaluation import log_figures
 from heli_gym.baselines.evaluation.figures import DPI
-from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog, find_log
+from heli_gym.baselines.identification.flight_log import FlightLog, find_log
+from heli_gym.baselines.identification.log_quantities import ANGLES
 from heli_gym.baselines.identification.replay import PIECE, Replay, replay
 from heli_gym.cli import command, parse
 from heli_gym.rig import find_rig

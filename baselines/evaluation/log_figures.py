@@ -6,7 +6,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from heli_gym.baselines.evaluation.figures import BLUE, INK, LIMIT, NOTE, RED, columns_of_panels, finish, note, styled
-from heli_gym.baselines.identification.flight_log import ANGLES, VOLTAGES, FlightLog
+from heli_gym.baselines.identification.flight_log import FlightLog
+from heli_gym.baselines.identification.log_quantities import ANGLES, VOLTAGES
 from heli_gym.baselines.identification.prediction import FilteredLog, constant_rate, horizon_starts
 from heli_gym.baselines.identification.replay import FIT_TIME, Replay
 from heli_gym.trajectory import Trajectory

@@ -14,7 +14,8 @@ import numpy as np
 from scipy.signal import savgol_coeffs
 
 from heli_gym.baselines.identification.estimation import Identification
-from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog
+from heli_gym.baselines.identification.flight_log import FlightLog
+from heli_gym.baselines.identification.log_quantities import ANGLES
 from heli_gym.baselines.identification.measured_model import N, dual_thrusts, filter_kernel, prediction_kernel
 
 HORIZONS = (1.0, 3.0)  # s

@@ -22,7 +22,8 @@ from heli_gym.baselines.control.residual import LEARNED, Network, load_learned
 from heli_gym.baselines.control.weights import stored_weights
 from heli_gym.baselines.evaluation.agents import load_onnx, load_sb3
 from heli_gym.baselines.evaluation.leaderboard import Batch, Condition, Ledger, Settings, fly_batch, line_of, standings
-from heli_gym.baselines.identification.flight_log import FlightLog, read_mapping
+from heli_gym.baselines.identification.flight_log import FlightLog
+from heli_gym.baselines.identification.log_quantities import read_mapping
 from heli_gym.rig import RIGS, Rig
 from heli_gym.storage import read_json_object
 

@@ -10,7 +10,8 @@ import pytest
 from scipy.io import savemat
 
 from heli_gym.baselines.commands import log as log_command
-from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog
+from heli_gym.baselines.identification.flight_log import FlightLog
+from heli_gym.baselines.identification.log_quantities import ANGLES
 
 LOGS = Path(__file__).parents[4] / "shared" / "logs"
 
