@@ -24,7 +24,8 @@ from matplotlib.figure import Figure
 
 from heli_gym import PLANTS, Gust, Maneuver, Plant, Sensors, ThrustDrift, Trajectory
 from heli_gym.baselines import fly, fly_many, make_policy, plan, plan_fastest
-from heli_gym.baselines.evaluation.figures import BLUE, INK, RED, finish, save, styled
+from heli_gym.baselines.evaluation.figure_style import INK, finish, save, styled
+from heli_gym.baselines.evaluation.labels import BLUE, RED
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.plant import DRIFT_DURATION, FLEET_DRIFT, HELD_OUT_SEED
 from heli_gym.rig import Rig, find_rig, fleet_rig_names

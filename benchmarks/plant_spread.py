@@ -13,7 +13,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from heli_gym import PLANTS, Plant, Rig, find_rig
-from heli_gym.baselines.evaluation.figures import BLUE, INK, RED, save, styled
+from heli_gym.baselines.evaluation.figure_style import INK, save, styled
+from heli_gym.baselines.evaluation.labels import BLUE, RED
 from heli_gym.plant import HELD_OUT_SEED, ThrustDrift, rotor_curves
 from heli_gym.rig import fleet_rig_names
 

@@ -19,7 +19,7 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
-from heli_gym.baselines.evaluation import figures
+from heli_gym.baselines.evaluation import figure_style
 from heli_gym.baselines.evaluation.engine import (
     Engine,
     EngineName,
@@ -292,23 +292,23 @@ def trade_off(args: Args, console: Console, engine: Engine) -> None:
     rows = list(track_results(engine, plan_within, tasks, "trade-off", console))
     write_csv(args.out / "trade-off.csv", rows)
     picture = args.out / "planning.png"
-    figures.save(draw_trade_off(rows), picture)
+    figure_style.save(draw_trade_off(rows), picture)
     excess = [row["spline"] / row["collocation"] - 1.0 for row in rows]
     console.print(f"{picture}: splines are {min(excess):.1%} to {max(excess):.1%} above collocation")
 
 
-@figures.styled
+@figure_style.styled
 def draw_trade_off(rows: list[dict[str, Any]]) -> Any:
     """Figure of `trade_off`."""
-    figure, axes = figures.single_panel("pitch limit (deg)", "shortest duration (s)")
+    figure, axes = figure_style.single_panel("pitch limit (deg)", "shortest duration (s)")
     windows = dict.fromkeys((row["u_min"], row["u_max"]) for row in rows)
-    for (u_min, u_max), color in zip(windows, figures.FLOWN):
+    for (u_min, u_max), color in zip(windows, figure_style.FLOWN):
         window = [row for row in rows if (row["u_min"], row["u_max"]) == (u_min, u_max)]
         pitch = [row["pitch limit"] for row in window]
         axes.plot(pitch, [row["spline"] for row in window], color=color, label=f"{u_min:g} to {u_max:g} V")
         axes.plot(pitch, [row["collocation"] for row in window], color=color, linestyle=":")
-    axes.plot([], [], color=figures.NOTE, label="plan_fastest")
-    axes.plot([], [], color=figures.NOTE, linestyle=":", label="direct collocation")
+    axes.plot([], [], color=figure_style.NOTE, label="plan_fastest")
+    axes.plot([], [], color=figure_style.NOTE, linestyle=":", label="direct collocation")
     axes.set_title("The 360° rotation from rest to rest: how fast the limits permit")
     axes.legend()
     return figure

@@ -15,7 +15,7 @@ from rich.progress import track
 from rich.table import Table
 
 from heli_gym.baselines.control.policies import is_learned, make_policy
-from heli_gym.baselines.evaluation import figures
+from heli_gym.baselines.evaluation import figure_style, figures
 from heli_gym.baselines.evaluation.agents import make_pilot
 from heli_gym.baselines.evaluation.conditions import describe_draw, find_condition
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
@@ -290,7 +290,7 @@ def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory,
         "overview": figures.overview(reference, {"feedforward+tvlqr": flights["feedforward+tvlqr"]}, title),
     }
     for name, figure in track(drawings.items(), "drawing", console=console):
-        figures.save(figure, args.out / f"{name}.{args.format}", args.columns)
+        figure_style.save(figure, args.out / f"{name}.{args.format}", args.columns)
 
 
 def main(args: Args | None = None) -> None:

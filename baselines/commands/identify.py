@@ -15,7 +15,7 @@ from rich.console import Console
 from rich.table import Table
 
 from heli_gym.baselines.evaluation import log_figures
-from heli_gym.baselines.evaluation.figures import DPI
+from heli_gym.baselines.evaluation.figure_style import DPI
 from heli_gym.baselines.identification.estimation import Identification, ablation_cases, identify
 from heli_gym.baselines.identification.experiment import LONGEST, design
 from heli_gym.baselines.identification.flight_log import FlightLog, find_log

@@ -10,7 +10,7 @@ import numpy as np
 import tyro
 
 from heli_gym.baselines.evaluation import log_figures
-from heli_gym.baselines.evaluation.figures import DPI
+from heli_gym.baselines.evaluation.figure_style import DPI
 from heli_gym.baselines.identification.flight_log import FlightLog, find_log
 from heli_gym.baselines.identification.log_quantities import ANGLES
 from heli_gym.baselines.identification.replay import PIECE, Replay, replay

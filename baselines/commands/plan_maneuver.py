@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 from rich.console import Console
 
-from heli_gym.baselines.evaluation import figures
+from heli_gym.baselines.evaluation import figure_style, figures
 from heli_gym.baselines.planning.planner import plan, plan_fastest
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.parameters import Limits
@@ -171,7 +171,7 @@ def run(args: Args) -> None:
     )
     if args.figure:
         picture = args.out.with_suffix(".png")
-        figures.save(figures.feedforward(trajectory, maneuver.rig, "Plan"), picture)
+        figure_style.save(figures.feedforward(trajectory, maneuver.rig, "Plan"), picture)
         console.print(f"picture: {picture}")
 
 

@@ -5,7 +5,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from matplotlib.figure import Figure
 
-from heli_gym.baselines.evaluation.figures import BLUE, INK, LIMIT, NOTE, RED, columns_of_panels, finish, note, styled
+from heli_gym.baselines.evaluation.figure_style import INK, LIMIT, NOTE, columns_of_panels, finish, note, styled
+from heli_gym.baselines.evaluation.labels import BLUE, RED
 from heli_gym.baselines.identification.flight_log import FlightLog
 from heli_gym.baselines.identification.log_quantities import ANGLES, VOLTAGES
 from heli_gym.baselines.identification.prediction import FilteredLog, constant_rate, horizon_starts

@@ -10,7 +10,7 @@ from matplotlib.colors import same_color
 from matplotlib.image import imread
 from matplotlib.text import Text
 
-from heli_gym.baselines.evaluation import figures
+from heli_gym.baselines.evaluation import figure_style, figures
 from heli_gym.baselines.paper.tvlqr import Gains, riccati_gains
 from heli_gym.model import thrust
 from heli_gym.parameters import HelicopterParameters, Limits
@@ -212,8 +212,8 @@ def figure():
 
 
 def test_save_writes_one_picture_of_150_dots_per_inch(tmp_path, figure):
-    figures.save(figure, tmp_path / "ramp.png")
-    figures.save(figure, str(tmp_path / "ramp.png"))
+    figure_style.save(figure, tmp_path / "ramp.png")
+    figure_style.save(figure, str(tmp_path / "ramp.png"))
     assert [path.name for path in tmp_path.iterdir()] == ["ramp.png"]
     width, height = figure.get_size_inches()
     assert imread(tmp_path / "ramp.png").shape[:2] == (round(150 * height), round(150 * width))
@@ -228,22 +228,22 @@ def test_save_that_fails_leaves_the_old_picture_and_no_litter(tmp_path, figure, 
 
     monkeypatch.setattr(figure, "savefig", disk_full)
     with pytest.raises(OSError, match="disk full"):
-        figures.save(figure, tmp_path / "ramp.png")
+        figure_style.save(figure, tmp_path / "ramp.png")
     assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [("ramp.png", b"old")]
 
 
 def test_save_refuses_names_and_columns_that_it_does_not_know(tmp_path, figure):
     with pytest.raises(ValueError, match=r"ramp\.jpg.*\.png"):
-        figures.save(figure, tmp_path / "ramp.jpg")
+        figure_style.save(figure, tmp_path / "ramp.jpg")
     with pytest.raises(ValueError, match="columns = 3"):
-        figures.save(figure, tmp_path / "ramp.png", 3)
+        figure_style.save(figure, tmp_path / "ramp.png", 3)
     assert os.listdir(tmp_path) == []
 
 
 @pytest.mark.parametrize(("suffix", "begin"), [("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml")])
 def test_a_figure_is_saved_in_each_format_and_twice_with_the_same_bytes(tmp_path, suffix, begin):
     for name in ("a", "b"):
-        figures.save(figures.smooth_saturation(Limits().pitch), tmp_path / f"{name}.{suffix}", 1)
+        figure_style.save(figures.smooth_saturation(Limits().pitch), tmp_path / f"{name}.{suffix}", 1)
     saved = (tmp_path / f"a.{suffix}").read_bytes()
     assert saved.startswith(begin)
     assert saved == (tmp_path / f"b.{suffix}").read_bytes()
@@ -252,7 +252,7 @@ def test_a_figure_is_saved_in_each_format_and_twice_with_the_same_bytes(tmp_path
 @pytest.mark.parametrize(("columns", "width"), [(1, 3.5), (2, 7.16)])
 def test_for_print_a_figure_is_as_wide_as_the_columns(tmp_path, columns, width):
     figure = figures.smooth_saturation(Limits().pitch)
-    figures.save(figure, tmp_path / "a.png", columns)
+    figure_style.save(figure, tmp_path / "a.png", columns)
     assert figure.get_size_inches()[0] == pytest.approx(width)
     assert max(text.get_fontsize() for text in figure.findobj(Text)) <= 8.0
 

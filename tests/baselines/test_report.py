@@ -13,7 +13,7 @@ from browser import DESKTOP, PHONE, check_accessible, in_browser
 
 from heli_gym.baselines import fly, make_policy, riccati_gains
 from heli_gym.baselines.commands import demo, evaluate
-from heli_gym.baselines.evaluation import figures, report
+from heli_gym.baselines.evaluation import figure_style, figures, report
 from heli_gym.baselines.evaluation.conditions import describe_draw
 from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.env import Heli3DOFEnv
@@ -114,7 +114,7 @@ def test_colours_and_names_are_the_same_in_the_figures_the_report_and_the_live_p
     reference = Heli3DOFEnv().reference
     figure = figures.overview(reference, dict.fromkeys(POLICIES, reference), "both")
     lines = {line.get_label(): line.get_color() for line in figure.axes[0].lines}
-    assert lines == {**dict(zip(data["labels"], data["colours"])), "plan": figures.INK}
+    assert lines == {**dict(zip(data["labels"], data["colours"])), "plan": figure_style.INK}
 
 
 def test_a_finer_flight_is_thinned_out_and_one_that_ended_says_so():
