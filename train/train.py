@@ -115,6 +115,7 @@ class Args:
     progress: bool = True  # show a progress bar
 
 
+ON_POLICY, OFF_POLICY = ("ppo", "recurrent-ppo"), ("sac", "td3", "tqc")
 OF_STABLE_BASELINES: dict[str, Any] = {
     "feature_groups": tuple(FEATURE_GROUPS),
     "steps": 3_000_000,
@@ -130,7 +131,7 @@ DEFAULTS: dict[str, dict[str, Any]] = {
         "chunk": 15_000,
         "learning_rate": 4e-3,
     },
-    **dict.fromkeys(("ppo", "recurrent-ppo", "sac", "td3", "tqc"), OF_STABLE_BASELINES),
+    **dict.fromkeys(ON_POLICY + OFF_POLICY, OF_STABLE_BASELINES),
 }
 
 
@@ -195,7 +196,7 @@ def check(args: CompleteArgs) -> None:
         )
     for name, (low, high) in RANGES.items():
         require(name, getattr(args, name), low <= getattr(args, name) <= high, f"{low:g} to {high:g}")
-    if args.algo == "ppo" and args.rollout * args.envs > MOST_TRANSITIONS:
+    if args.algo in ON_POLICY and args.rollout * args.envs > MOST_TRANSITIONS:
         raise ValueError(
             f"rollout = {args.rollout}: must be 1 to {MOST_TRANSITIONS // args.envs} with envs = {args.envs}, "
             "which fit the memory"
@@ -208,7 +209,7 @@ def check(args: CompleteArgs) -> None:
         raise ValueError("mode = 'scratch': must be 'residual' for apg, which differentiates a base policy")
     if not 0 <= args.seed < 10_000:
         raise ValueError(f"seed = {args.seed}: must be 0 to 9999")
-    if args.algo in ("ppo", "recurrent-ppo") and args.chunk % args.rollout:
+    if args.algo in ON_POLICY and args.chunk % args.rollout:
         raise ValueError(f"chunk = {args.chunk}: must be a multiple of rollout = {args.rollout}")
     # Seeds of `learn`: no chunk uses the draws of another run or of the validation.
     chunks, draws = chunks_of(args), draws_of(args)
@@ -369,7 +370,7 @@ def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
         "device": "cpu",
     }
     networks: dict[str, Any] = {"net_arch": list(args.hidden), "activation_fn": torch.nn.Tanh}
-    if args.algo in ("ppo", "recurrent-ppo"):
+    if args.algo in ON_POLICY:
         on_policy = {
             **common,
             "n_steps": args.rollout,
@@ -605,17 +606,19 @@ def learned_settings(args: CompleteArgs, agent: APG | BaseAlgorithm) -> Learned:
     """Settings to store with the network."""
     residual = agent.residual if isinstance(agent, APG) else agent.get_env().policy  # type: ignore[union-attr]
     network = network_of(agent)
-    recurrent = network.size if isinstance(network, RecurrentNetwork) else 0
-    first_layer = network.weight_input if isinstance(network, RecurrentNetwork) else network.weights[0]
+    if isinstance(network, RecurrentNetwork):
+        head, features, recurrent = network.head, network.weight_input.shape[1], network.size
+    else:
+        head, features, recurrent = network, network.weights[0].shape[1], 0
     return Learned(
         base=args.base,
         scale=args.scale,
         reference=args.reference,
         plant=args.plant,
         control_period=CONTROL_PERIOD,
-        features=first_layer.shape[1],
-        hidden=() if recurrent else args.hidden,
-        tanh_output=args.algo not in ("ppo", "recurrent-ppo"),
+        features=features,
+        hidden=tuple(map(len, head.biases[:-1])),
+        tanh_output=head.tanh_output,
         feature_groups=residual.feature_groups,
         law=residual.law,
         ahead=residual.ahead,

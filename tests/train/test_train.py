@@ -221,6 +221,7 @@ def test_a_network_that_crashes_early_is_never_the_best():
         ({"cell": 10**6}, "cell = 1000000: must be 1 to 4096"),
         ({"validation": 10**9}, "validation = "),
         ({"rollout": 10**6, "chunk": 10**6, "envs": 20}, "rollout = 1000000: must be 1 to 500000 with envs = 20"),
+        ({"algo": "recurrent-ppo", "rollout": 10**6, "envs": 20}, "rollout = 1000000: must be 1 to 500000 with envs"),
         ({"scale": -1.0}, "scale = -1.0: must be 1e-06 to 1000"),
         ({"scale": float("inf")}, "scale = inf"),
         ({"cost_weight": -1.0}, "cost_weight = -1.0: must be 0 to"),
