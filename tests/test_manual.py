@@ -28,7 +28,7 @@ def test_the_code_of_a_page_runs_from_the_first_block_to_the_last(page, tmp_path
 def test_a_tutorial_runs_from_the_first_cell_to_the_last(notebook, tmp_path):
     nbformat, nbclient = pytest.importorskip("nbformat"), pytest.importorskip("nbclient")
     cells = nbformat.read(notebook, as_version=4)
-    nbclient.NotebookClient(cells, timeout=1800, resources={"metadata": {"path": str(tmp_path)}}).execute()
+    nbclient.NotebookClient(cells, timeout=300, resources={"metadata": {"path": str(tmp_path)}}).execute()
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
