@@ -5,11 +5,13 @@ import re
 
 import numpy as np
 import pytest
-from browser import DESKTOP, PHONE, SMALL, SOURCES, STILL, check_accessible, in_browser, in_node
+from browser import DESKTOP, DRAWN, PHONE, SMALL, SOURCES, STILL, check_accessible, in_browser, in_node
 
 from heli_gym.baselines.commands import demo
 
-HELP = """
+HELP = (
+    DRAWN
+    + """
 const slide = async (id, to) => page.locator(id).evaluate((input, value) => {
   input.value = value;
   input.dispatchEvent(new Event("input"));
@@ -18,8 +20,6 @@ const open = async () => page.evaluate(() => document.querySelectorAll("details"
   part.removeAttribute("name");
   part.open = true;
 }));
-// words and clocks follow with the next frame
-const drawn = () => page.evaluate(() => new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(go))));
 const toEnd = async () => {
   await page.locator(".plot").first().focus();
   await page.keyboard.press("End");
@@ -29,6 +29,7 @@ const text = (selector) => page.locator(selector).textContent();
 const done = async (task) => page.locator(`.task:has([data-task=${task}]) .goals li`).evaluateAll(
   (goals) => goals.map((goal) => goal.classList.contains("done")));
 """
+)
 
 
 @pytest.fixture(scope="module")

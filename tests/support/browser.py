@@ -14,9 +14,13 @@ from heli_gym.baselines.evaluation.report import WEB
 
 SOURCES = Path(__file__).parents[2] / "web"
 DESKTOP, PHONE = (1400, 900), (390, 844)
-# Beginnings of scripts for the live page: no flight starts by itself; pictures, slow to draw without a GPU, are small.
+# Beginnings of scripts for the live page: no flight starts by itself; pictures, slow to draw without a GPU, are small;
+# words and clocks follow with the next frame, which `drawn` waits for.
 STILL = 'await page.emulateMedia({reducedMotion: "reduce"}); await page.reload();'
 SMALL = 'await page.addStyleTag({content: ".live .view { height: 30px !important }"});'
+DRAWN = """
+const drawn = () => page.evaluate(() => new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(go))));
+"""
 
 
 def lacking(what: str):
