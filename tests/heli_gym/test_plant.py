@@ -332,12 +332,12 @@ def test_draws_are_within_the_ranges_and_leave_none(name):
                 assert low <= value <= high
 
 
-def test_every_draw_of_the_fleet_hovers_at_its_hover_voltage_well_within_the_amplifier():
-    low, high = find_rig(NOMINAL_RIGS["fleet"]).voltage_limits
+def test_every_draw_of_the_fleet_hovers_at_its_hover_voltage_with_a_fifth_of_the_amplifier_to_spare():
+    _, high = find_rig(NOMINAL_RIGS["fleet"]).voltage_limits
     for seed in range(20):
         draw = PLANTS["fleet"].draw(np.random.default_rng(seed))
         u = draw.hover_voltage
-        assert low < u < 0.9 * high
+        assert 0.0 < u < 0.8 * high
         equal = Rotors(gains=(1.0, 1.0))
         rates = simulate(replace(draw, rotors=equal, disturbances=()), (u, u), duration=1.0).x[3]
         assert_allclose(rates, 0.0, atol=1e-9)
