@@ -9,8 +9,7 @@ import io
 import os
 import re
 import sys
-from collections.abc import Callable, Iterator
-from functools import partial
+from collections.abc import Iterator
 from importlib import metadata
 from itertools import groupby
 from pathlib import Path
@@ -45,14 +44,6 @@ class CommandError(SystemExit):
     def __init__(self, line: str, status: int) -> None:
         super().__init__(line)
         self.code = status
-
-
-def __getattr__(name: str) -> Callable[[], None]:
-    """Return the entry point of a command, `plan` for `heli-plan`, which imports its module inside `command`."""
-    program = f"heli-{name.replace('_', '-')}"
-    if program not in COMMANDS:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return partial(run, program)
 
 
 def run(program: str) -> None:
