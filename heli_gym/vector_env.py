@@ -97,10 +97,10 @@ class Heli3DOFVectorEnv(VectorEnv):
         # One environment for each combination checks the arguments.
         named = broadcast_to_envs("reference", reference, num_envs, is_packaged)
         rigs = [rig_to_fly(rig, p, r) for p, r in zip(plants, references)]
-        tracked = {
-            (id(r), n, own): reference_on_rig(r, own, n) for r, n, own in zip(references, named, rigs)
-        }  # each planned again once
-        references = [tracked[id(r), n, own] for r, n, own in zip(references, named, rigs)]
+        keys = [(id(r), n, own) for r, n, own in zip(references, named, rigs)]
+        distinct = dict(zip(keys, references))
+        tracked = {key: reference_on_rig(r, key[2], key[1]) for key, r in distinct.items()}  # each planned again once
+        references = [tracked[key] for key in keys]
         combinations = {(id(p), id(r)): (p, r, own) for p, r, own in zip(plants, references, rigs)}
         singles = {
             key: Heli3DOFEnv(p, r, control_period, pitch_limit, voltage_limits, start_spread_deg, random_start, rig=own)

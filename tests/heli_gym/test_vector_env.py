@@ -8,6 +8,7 @@ from gymnasium.vector import AutoresetMode, SyncVectorEnv
 from independent import EitherReference
 from numpy.testing import assert_allclose, assert_array_equal
 
+from heli_gym import on_rig
 from heli_gym.env import Heli3DOFEnv
 from heli_gym.plant import PLANTS, Gust, Plant, Push, RotorFault, Sensors
 from heli_gym.vector_env import Heli3DOFVectorEnv
@@ -379,3 +380,10 @@ def test_no_flight_starts_beyond_the_pitch_limit():
     for seed in range(3):
         _, info = envs.reset(seed=1000 * seed)
         assert np.abs(info["state"][:, 4]).max() <= np.radians(50.0)
+
+
+def test_a_reference_that_all_fly_is_planned_again_once(monkeypatch):
+    planned, replanned = [], on_rig.replanned
+    monkeypatch.setattr(on_rig, "replanned", lambda *given: planned.append(1) or replanned(*given))
+    Heli3DOFVectorEnv(20, "nominal", "travel-360", rig="quanser")
+    assert len(planned) == 1
