@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.signal import lfilter, savgol_filter
+from scipy.stats import chi2
 
 from heli_gym.baselines.identification.flight_log import ANGLES, FlightLog
 from heli_gym.baselines.identification.measured_model import (
@@ -32,6 +33,7 @@ HUBER = 3.0  # standard deviations, above which the loss is linear
 LEAST_SIGMA = 2.0 * math.pi / np.array([8192, 4096, 4096]) / math.sqrt(12.0)  # rad, of rounding to encoder counts
 LEAST_SPREAD = 3e-4  # rad/s², of the slow accelerations
 UNDETERMINED = 0.7  # share of the prior's spread above which a parameter is undetermined
+CHANCE = 0.95  # quantile above which a variance exceeds the model's by more than chance
 MAX_PARAMETER = 1e6
 
 # Spread of the prior about the start: wider than that between identified rigs.
@@ -230,7 +232,8 @@ def identify(
         if limit is not None:
             free.append("voltage_limit")
             theta[limited] = centre[limited] = limit
-    theta, covariance = problem.fit(theta, centre, free, progress=progress)
+    theta = problem.fit(theta, centre, free, progress=progress)
+    covariance, robust = problem.covariances(theta, centre, free)
     spreads = np.array([getattr(spread, name) for name in free])
     known = np.sqrt(np.diag(covariance)) < UNDETERMINED * spreads
     undetermined = [name for name, is_known in zip(free, known) if not is_known]
@@ -241,8 +244,8 @@ def identify(
         free = [name for name in free if name not in undetermined]
         if not free:
             raise ValueError("logs: must move more, for they determine no parameter")
-        theta, _ = problem.fit(theta, centre, free, progress=progress)
-    covariance = problem.robust_covariance(theta, centre, free)
+        theta = problem.fit(theta, centre, free, progress=progress)
+        _, robust = problem.covariances(theta, centre, free)
     tables = [log.table_elevation() for log in logs]
     table = float(np.median([angle for angle in tables if math.isfinite(angle)] or [start.table_elevation]))
     voltages = np.concatenate([log.voltages for log in logs], axis=1)
@@ -250,7 +253,7 @@ def identify(
         MeasuredParameters(*theta.tolist()),
         problem.hover_voltage,
         tuple(free),
-        covariance,
+        robust,
         tuple(undetermined),
         problem.sigma.copy(),
         problem.correlation_time.copy(),
@@ -326,7 +329,7 @@ def best_limit(
         trial[index] = middle[index] = centre[index] if limit is None else limit
         names = free if limit is None else [*free, "voltage_limit"]
         problem.reset()
-        trial, _ = problem.fit(trial, middle, names, iterations=8, adapt=False)
+        trial = problem.fit(trial, middle, names, iterations=8, adapt=False)
         loss = problem.loss_value + (0.0 if limit is None else 10.0)  # penalty for one more parameter
         progress(f"amplifier {'without a limit' if limit is None else f'at {trial[index]:.2f} V'}: loss {loss:.0f}")
         if loss < best_loss:
@@ -450,8 +453,8 @@ class Shooting:
         iterations: int = 25,
         adapt: bool = True,
         progress: Callable[[str], None] = lambda text: None,
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Estimate the free parameters; return all parameters (22,) and the covariance of the free ones.
+    ) -> np.ndarray:
+        """Estimate the free parameters; return all parameters (22,).
 
         With `adapt`, the spreads of errors and accelerations are estimated along with them.
         """
@@ -498,28 +501,28 @@ class Shooting:
             if (settled or loss - new_loss < 1e-4 * loss) and iteration >= (6 if adapt else 2):
                 break
         self.loss_value = self.loss(simulated, self.z, distance(theta))
-        matrices, *_ = self.normal_equations(simulated, chosen)
-        return theta, np.linalg.inv(matrices.sum(axis=0) + np.diag(1.0 / prior**2))
+        return theta
 
-    def robust_covariance(self, theta: np.ndarray, centre: np.ndarray, free: Sequence[str]) -> np.ndarray:
-        """Covariance (P, P) of the free parameters that allows for what the model lacks.
+    def covariances(self, theta: np.ndarray, centre: np.ndarray, free: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
+        """Covariances (P, P) of the free parameters: by the model alone, and with what it may lack.
 
-        Errors of the model change the parameters from window to window by more than the errors of the angles do, which
-        the jackknife over windows shows (linearised; Cameron, Gelbach, Miller, 2008, for clusters of errors). The prior
-        counts as one more observation, with an error no smaller than its distance from the estimate, which bounds the
-        standard errors. Variances are the larger ones of these and of the model's own; correlations are the model's.
+        Errors of the model change the parameters from window to window by more than the errors of the angles do. Where
+        the jackknife exceeds the data's share of the model's variance by more than chance, it replaces this share;
+        chance is that of W windows that say equally much. The prior is one more observation; where it is further from
+        the estimate than its spread explains, this distance is its error. No standard error is larger than the prior's
+        error, which bounds the noise of the jackknife. Correlations are the model's.
         """
         chosen = np.array([NAMES.index(name) for name in free])
-        prior = self.prior_spread[chosen]
+        prior, distance = self.prior_spread[chosen], np.abs(theta - centre)[chosen]
         matrices, sides, *_ = self.normal_equations(self.simulate(theta, self.z, chosen), chosen)
-        matrix = matrices.sum(axis=0) + np.diag(1.0 / prior**2)
+        matrix, dof = matrices.sum(axis=0) + np.diag(1.0 / prior**2), len(sides) - 1
         covariance = np.linalg.inv(matrix)
-        count = len(sides)
-        changes = np.linalg.solve(matrix - matrices, (sides - sides.mean(axis=0))[:, :, None])[:, :, 0]
-        error = np.maximum(prior, np.abs(theta[chosen] - centre[chosen]))
-        robust = (count - 1) / count * (changes**2).sum(axis=0) + covariance**2 @ (error / prior**2) ** 2
-        ratio = np.sqrt(np.maximum(np.minimum(robust, error**2) / np.diag(covariance), 1.0))
-        return covariance * np.outer(ratio, ratio)
+        data, windows = np.diag(covariance) - covariance**2 @ prior**-2.0, jackknife(matrix, matrices, sides)
+        data = np.where(windows > data * chi2.ppf(CHANCE, dof) / dof, windows, data)
+        error = np.where(distance > prior * math.sqrt(chi2.ppf(CHANCE, 1)), distance, prior)
+        variance = np.minimum(data + covariance**2 @ (error / prior**2) ** 2, error**2)
+        ratio = np.sqrt(variance / np.diag(covariance))
+        return covariance, covariance * np.outer(ratio, ratio)
 
     def adapt(self, simulated: list[tuple], variance: np.ndarray) -> None:
         """Update spread and correlation time of the errors and spread of the accelerations from current residuals."""
@@ -540,6 +543,16 @@ class Shooting:
         self.correlation_time = step * total
         offsets = np.concatenate([states[:, 6:] for states in self.z])
         self.spread = np.clip(np.sqrt((offsets**2).mean(axis=0) + variance), LEAST_SPREAD, 1.0)
+
+
+def jackknife(matrix: np.ndarray, matrices: np.ndarray, sides: np.ndarray) -> np.ndarray:
+    """Variances (P,) of parameters from their changes when one window is left out, linearised about the estimate.
+
+    Takes the matrix (P, P) of all normal equations, the windows' shares (W, P, P) of it and (W, P) of its right-hand
+    side (Cameron, Gelbach, Miller, 2008, for clusters of errors). What these sides have in common is the prior's.
+    """
+    changes = np.linalg.solve(matrix - matrices, (sides - sides.mean(axis=0))[:, :, None])[:, :, 0]
+    return (1.0 - 1.0 / len(sides)) * (changes**2).sum(axis=0)
 
 
 def window_starts(log: FlightLog, share: float, n: int) -> np.ndarray:

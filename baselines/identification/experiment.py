@@ -9,7 +9,7 @@ from scipy.signal import savgol_filter
 
 from heli_gym.baselines.identification.estimation import COEFFICIENTS, EFFECTS, LEAST_SIGMA, SPREAD, Shooting
 from heli_gym.baselines.identification.flight_log import FlightLog
-from heli_gym.baselines.identification.measured_model import NAMES, MeasuredParameters
+from heli_gym.baselines.identification.measured_model import MeasuredParameters
 from heli_gym.baselines.identification.simulated import simulate_log
 from heli_gym.rig import Rig
 from heli_gym.trajectory import Trajectory
@@ -145,12 +145,10 @@ def expected_errors(
     """Expected standard errors of the parameters from a flight, absolute and relative to the prior's spread."""
     problem = Shooting([log], 1.0)
     names = [*COEFFICIENTS, *(name for effect in EFFECTS.values() for name in effect if name != "voltage_limit")]
-    chosen = np.array([NAMES.index(name) for name in names])
     problem.sigma = MODEL_ERROR * LEAST_SIGMA
     problem.correlation_time = np.full(3, 0.2)
     theta = np.array(parameters, dtype=float)
     problem.hover_voltage = voltage
-    matrices, *_ = problem.normal_equations(problem.simulate(theta, problem.z, chosen), chosen)
-    prior = np.array(SPREAD)[chosen]
-    errors = np.sqrt(np.diag(np.linalg.inv(matrices.sum(axis=0) + np.diag(prior**-2.0))))
+    covariance, _ = problem.covariances(theta, theta, names)
+    errors, prior = np.sqrt(np.diag(covariance)), np.array([getattr(SPREAD, name) for name in names])
     return dict(zip(names, errors.tolist())), dict(zip(names, (errors / prior).tolist()))
