@@ -5,12 +5,9 @@ its duration is only the best known bound. Scipy integrates (3) along every plan
 """
 
 import importlib
-import importlib.util
 import math
-import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
 from pathlib import Path
 from typing import Any, Literal
 
@@ -31,39 +28,39 @@ from heli_gym.baselines.evaluation.engine import (
 )
 from heli_gym.baselines.evaluation.planner_comparison import (
     constrained_maneuver,
-    effort,
     flights,
-    meets_its_limits,
-    plan_measures,
     random_maneuver,
-    shortest_known,
     success_interval,
-    time_planner,
 )
-from heli_gym.baselines.planning.collocation import collocated_trajectory
-from heli_gym.baselines.planning.other_solvers import multiple_shooting, plan_by_bvp, plan_by_do_mpc
+from heli_gym.baselines.evaluation.planner_trials import (
+    LEISURE,
+    available_solvers,
+    fly_method,
+    fly_plan,
+    plan_constrained,
+    plan_request,
+    plan_shortest,
+    plan_within,
+    requests,
+    scale_window,
+    time_solver,
+)
 from heli_gym.baselines.planning.planner import FASTEST, plan, plan_fastest
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.on_rig import plant_on_rig
-from heli_gym.parameters import Limits
-from heli_gym.rig import PAPER, Rig, find_rig
+from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, check_folder, to_csv
-from heli_gym.trajectory import Maneuver, Trajectory
+from heli_gym.trajectory import Maneuver
 
 Part = Literal["robustness", "shortest", "trade-off", "methods", "reserve", "constraints", "objectives", "solvers"]
 
 TO_SPARE = 1.1  # times collocation's shortest duration
-DURATIONS = 0.8, 2.0  # range of random durations, times collocation's shortest
 WINDOWS = ((0.0, 12.0), (1.0, 11.0), (2.0, 10.5), (3.0, 10.0))  # V
 PITCH_LIMITS_DEG = range(10, 81, 5)
 RESERVES = 0.0, 0.1, 0.2, 0.3, 0.4, 0.45
 MORE_TIME = 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35
-LEISURE = 12.0  # s; every method can plan the paper's maneuver in this time
 CONSTRAINED_RIGS = "paper", "ntnu", "quanser"
-PATIENCE = 60.0  # s, time limit of splines and of collocation for one maneuver with constraints
 OBJECTIVE_DURATIONS = 10.0, 12.0  # s
-
-
 MOST = 10**6  # maneuvers, draws
 
 
@@ -88,24 +85,7 @@ def constraints(args: Args, console: Console, engine: Engine) -> None:
     rng, rows = np.random.default_rng(args.seed + 2), list[dict[str, Any]]()
     for k in track(range(args.fastest), "constraints", console=console):
         maneuver = constrained_maneuver(rng, find_rig(CONSTRAINED_RIGS[k % len(CONSTRAINED_RIGS)]))
-        trajectory, seconds = time_planner(plan_fastest, maneuver, "spline", time_limit=PATIENCE)
-        known = collocated_trajectory(maneuver, "time", PATIENCE, smooth=True)
-        found = math.nan if trajectory is None else trajectory.duration
-        waiting = maneuver.rig.delay if maneuver.lead else 0.0  # before the flight, which collocation leaves out
-        optimum = math.nan if known is None else known.duration + waiting
-        rows.append(
-            {
-                "rig": maneuver.rig.name,
-                "maneuver": str(maneuver),
-                "floor": maneuver.floor is not None,
-                "lead": maneuver.lead,
-                "in motion": (maneuver.start_state is not None) + (maneuver.goal_state is not None),
-                "collocation": optimum,
-                "spline": found,
-                "ratio": found / optimum,
-                "seconds": seconds,
-            }
-        )
+        rows.append(plan_constrained(maneuver))
         write_csv(args.out / "constraints.csv", rows)
     ratios = np.array([row["ratio"] for row in rows])
     both = ratios[np.isfinite(ratios)]
@@ -133,62 +113,15 @@ def objectives(args: Args, console: Console, engine: Engine) -> None:
 def solvers(args: Args, console: Console, engine: Engine) -> None:
     """Least effort and the paper's (38) by other solvers: time, effort, reserve, and largest violation in between."""
     maneuver = Maneuver(duration=LEISURE, rig=find_rig(args.rig))
-    candidates: dict[str, Callable[[], Trajectory | None]] = {
-        "spline, smoothest": lambda: plan(maneuver, "spline"),
-        "spline, least effort": lambda: plan(maneuver, objective="effort"),
-        "spline, most reserve": lambda: plan(maneuver, objective="reserve"),
-        "paper, (38) by shooting": lambda: plan(maneuver, "paper"),
-        "flat": lambda: plan(maneuver, "flat"),
-        "paper, (38) by solve_bvp": lambda: plan_by_bvp(maneuver),
-        "collocation, IPOPT": lambda: plan(maneuver, "collocation"),
-        "multiple shooting, IPOPT": lambda: multiple_shooting(maneuver, "ipopt"),
-        "multiple shooting, fatrop": lambda: multiple_shooting(maneuver, "fatrop"),
-    }
-    if importlib.util.find_spec("do_mpc") is not None:
-        candidates["do-mpc"] = lambda: plan_by_do_mpc(maneuver)
     rows = []
-    for name, solve in candidates.items():
-        solve()
-        began = time.perf_counter()
-        trajectory = solve()
-        seconds = time.perf_counter() - began
-        if trajectory is None:
+    for name, solve in available_solvers().items():
+        row = time_solver(name, solve, maneuver)
+        if row is None:
             console.print(f"{name}: no solution")
-            continue
-        rows.append({"solver": name, "time (ms)": 1e3 * seconds, **plan_measures(maneuver, trajectory)})
+        else:
+            rows.append(row)
     write_csv(args.out / "solvers.csv", rows)
     console.print(as_table(rows))
-
-
-@cache
-def warm_up() -> None:
-    """Compile the kernels of this process before a timing."""
-    plan(Maneuver(duration=9.0))
-
-
-def requests(args: Args) -> Iterator[tuple[Maneuver, float]]:
-    """Random maneuvers, endlessly, each with a duration relative to collocation's shortest."""
-    rng, rig = np.random.default_rng(args.seed), find_rig(args.rig)
-    while True:
-        yield random_maneuver(rng, rig), rng.uniform(*DURATIONS)
-
-
-def plan_request(request: tuple[Maneuver, float]) -> dict[str, Any] | None:
-    """Row of a random maneuver, or None if collocation finds no plan at all."""
-    maneuver, ratio = request
-    warm_up()
-    shortest = shortest_known(maneuver)
-    if not math.isfinite(shortest):
-        return None
-    requested = replace(maneuver, duration=ratio * shortest)
-    trajectory, seconds = time_planner(plan, requested)
-    return {
-        "maneuver": str(requested),
-        "duration / shortest known": ratio,
-        "planned": trajectory is not None,
-        "limits kept": trajectory is not None and meets_its_limits(requested, trajectory),
-        "seconds": seconds,
-    }
 
 
 def robustness(args: Args, console: Console, engine: Engine) -> None:
@@ -197,7 +130,7 @@ def robustness(args: Args, console: Console, engine: Engine) -> None:
     spare = 0
     with progress_bar(console) as progress:
         bar = progress.add_task("robustness", total=args.maneuvers)
-        for row in in_order(engine.results(plan_request, requests(args))):
+        for row in in_order(engine.results(plan_request, requests(args.seed, find_rig(args.rig)))):
             if row is None:
                 continue
             rows.append(row)
@@ -229,23 +162,6 @@ def robustness(args: Args, console: Console, engine: Engine) -> None:
     console.print(table)
 
 
-def plan_shortest(maneuver: Maneuver) -> dict[str, Any]:
-    """Row of a maneuver's shortest duration, by collocation and by the planner."""
-    known, smooth = shortest_known(maneuver), shortest_known(maneuver, smooth=True)
-    trajectory, seconds = time_planner(plan_fastest, maneuver)
-    found = math.inf if trajectory is None else trajectory.duration
-    return {
-        "maneuver": str(maneuver),
-        "collocation": known,
-        "collocation, smooth": smooth,
-        "spline": found,
-        "ratio": found / known,
-        "ratio, smooth": found / smooth,
-        "limits kept": trajectory is not None and meets_its_limits(replace(maneuver, duration=found), trajectory),
-        "seconds": seconds,
-    }
-
-
 def shortest(args: Args, console: Console, engine: Engine) -> None:
     """Shortest durations of random maneuvers and of the paper's."""
     rng, rig = np.random.default_rng(args.seed + 1), find_rig(args.rig)
@@ -260,28 +176,6 @@ def shortest(args: Args, console: Console, engine: Engine) -> None:
             f"s; {len(ratios)} others {ratios.min() - 1.0:.1%} to {ratios.max() - 1.0:.1%} above, median "
             f"{np.median(ratios) - 1.0:.1%}, {sum(ratios <= 1.01)} within 1 %; {kept}"
         )
-
-
-def scale_window(rig: Rig, window: tuple[float, float]) -> tuple[float, float]:
-    """Scale a voltage window on 0 to 12 V to the range of a rig's amplifier."""
-    low, high = rig.voltage_limits
-    u_min, u_max = (low + (high - low) / PAPER.voltage_limits[1] * u for u in window)
-    return u_min, u_max
-
-
-def plan_within(task: tuple[Rig, tuple[float, float], int]) -> dict[str, Any]:
-    """Row of a voltage window and a pitch limit in degrees."""
-    rig, (u_min, u_max), degrees = task
-    pitch = math.radians(degrees)
-    maneuver = Maneuver(duration=60.0, limits=Limits(u_min, u_max, -pitch, pitch), rig=rig)
-    trajectory, _ = time_planner(plan_fastest, maneuver)
-    return {
-        "u_min": u_min,
-        "u_max": u_max,
-        "pitch limit": degrees,
-        "spline": math.nan if trajectory is None else trajectory.duration,
-        "collocation": shortest_known(maneuver),
-    }
 
 
 def trade_off(args: Args, console: Console, engine: Engine) -> None:
@@ -314,27 +208,6 @@ def draw_trade_off(rows: list[dict[str, Any]]) -> Any:
     return figure
 
 
-def fly_method(task: tuple[Rig, str, str, int]) -> dict[str, Any]:
-    """Row of a method, "in" ample time or "fastest", and of flights along its plan."""
-    rig, name, kind, draws = task
-    planner, duration = (plan, LEISURE) if kind == "in" else (plan_fastest, 2.0 * LEISURE)
-    maneuver = Maneuver(duration=duration, rig=rig)
-    planner(maneuver, name)  # compiles the kernels before the timing
-    trajectory, seconds = time_planner(planner, maneuver, name)
-    assert trajectory is not None
-    rate = np.diff(trajectory.u) / np.diff(trajectory.t)
-    return {
-        "method": name,
-        "asked": f"{LEISURE:g} s" if kind == "in" else kind,
-        "duration (s)": trajectory.duration,
-        "effort (N² s)": effort(maneuver, trajectory),
-        "peak pitch (deg)": float(np.degrees(np.abs(trajectory.x[4]).max())),
-        "RMS voltage rate (V/s)": float(np.sqrt((rate**2).mean())),
-        "planning (ms)": 1e3 * seconds,
-        **flights(trajectory, "lab", draws),
-    }
-
-
 def methods(args: Args, console: Console, engine: Engine) -> None:
     """Every method on the paper's maneuver: with ample time, and as fast as possible."""
     names = [name for name in FASTEST if name != "auto"]
@@ -342,13 +215,6 @@ def methods(args: Args, console: Console, engine: Engine) -> None:
     rows = list(track_results(engine, fly_method, tasks, "methods", console))
     write_csv(args.out / "methods.csv", rows)
     console.print(as_table(rows))
-
-
-def fly_plan(task: tuple[str, Trajectory, str, int]) -> dict[str, Any]:
-    """Row of flights along a plan on a plant."""
-    name, trajectory, plant, draws = task
-    flown = flights(trajectory, plant, draws)
-    return {"reserve": name, "duration (s)": trajectory.duration, "plant": plant, **flown}
 
 
 def reserve(args: Args, console: Console, engine: Engine) -> None:
