@@ -955,9 +955,9 @@ def solve(
     for i in range(free):
         inside = CLOSEST * (high[count + i] - low[count + i])
         v[count + i] = c[lead + i, 1] = min(max(c[lead + i, 1], low[count + i] + inside), high[count + i] - inside)
-    objective = evaluate(
-        c, s, w, travel, weights, parameters, points, rows, targets, vias, floor, f, acceleration, knots, places, h, e
-    )
+    problem = travel, weights, parameters, points, rows, targets, vias, floor
+    values = f, acceleration, knots, places, h, e
+    objective = evaluate(c, s, w, *problem, *values)
     for k in range(size):
         if k < count or k >= offset:
             value = f[k] if k < count else h[k - offset]
@@ -1066,25 +1066,7 @@ def solve(
             for i in range(free):
                 new_c[lead + i, 0] = c[lead + i, 0] + length * dx[2 * i]
                 new_c[lead + i, 1] = c[lead + i, 1] + length * dx[2 * i + 1]
-            objective = evaluate(
-                new_c,
-                new_s,
-                new_w,
-                travel,
-                weights,
-                parameters,
-                points,
-                rows,
-                targets,
-                vias,
-                floor,
-                f,
-                acceleration,
-                knots,
-                places,
-                h,
-                e,
-            )
+            objective = evaluate(new_c, new_s, new_w, *problem, *values)
             after = objective
             for k in range(equations):
                 after += penalty * abs(e[k])
@@ -1107,25 +1089,7 @@ def solve(
                 zl[k] += dual * dzl[k]
                 zu[k] += dual * dzu[k]
         else:  # repeat with more damping
-            objective = evaluate(
-                c,
-                s,
-                w,
-                travel,
-                weights,
-                parameters,
-                points,
-                rows,
-                targets,
-                vias,
-                floor,
-                f,
-                acceleration,
-                knots,
-                places,
-                h,
-                e,
-            )
+            objective = evaluate(c, s, w, *problem, *values)
             damping = max(1.0, 64.0 * damping)
     multipliers = np.empty((2, size))
     for k in range(size):
