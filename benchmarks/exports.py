@@ -22,7 +22,7 @@ import numpy as np
 from heli_gym import find_rig
 from heli_gym.baselines import make_policy
 from heli_gym.baselines.commands.export import load_controller
-from heli_gym.baselines.control.c_source import EXPORTED, PRECISIONS, c_source
+from heli_gym.baselines.control.export import EXPORTED, PRECISIONS, c_source
 from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.rig import rig_names
 

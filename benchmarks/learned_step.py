@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from heli_gym.baselines import make_policy
-from heli_gym.baselines.control.c_source import c_source
+from heli_gym.baselines.control.export import c_source
 from heli_gym.env import find_reference
 from heli_gym.rig import find_rig
 

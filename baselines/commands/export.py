@@ -15,8 +15,8 @@ import numpy as np
 import tyro
 from rich.console import Console
 
-from heli_gym.baselines.control.c_source import EXPORTED, c_source
 from heli_gym.baselines.control.constant import ConstantVoltage, MiddleVoltage
+from heli_gym.baselines.control.export import EXPORTED, c_source
 from heli_gym.baselines.control.model_based import ModelPolicy
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy

@@ -12,7 +12,7 @@ from scipy.io import loadmat
 from heli_gym import Maneuver, PowerCurve, Rig, TableCurve, ThrustMap, find_rig
 from heli_gym.baselines import make_policy, plan, riccati_gains
 from heli_gym.baselines.commands.export import Args, export_files, load_controller, main
-from heli_gym.baselines.control.c_source import c_source
+from heli_gym.baselines.control.export import c_source
 from heli_gym.cli import CommandError
 from heli_gym.env import Heli3DOFEnv, find_reference, reference_for
 
