@@ -25,11 +25,10 @@ from rich.progress import Progress
 from scipy.optimize import differential_evolution
 from scipy.stats.qmc import LatinHypercube, scale
 
-from heli_gym.baselines.control import weights as weights_of_plants
 from heli_gym.baselines.control.discrete_lqr import Weights
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
-from heli_gym.baselines.control.weights import WEIGHTS, store_weights
+from heli_gym.baselines.control.weights import WEIGHTS, store_weights, stored
 from heli_gym.baselines.evaluation.engine import EngineName, check_engine, in_order, open_engine
 from heli_gym.baselines.evaluation.metrics import crash_cost, tracking_reward
 from heli_gym.cli import command, parse
@@ -198,7 +197,7 @@ def check(args: Args) -> None:
     if args.method == "tpe":
         import_optuna()
     if args.store:
-        check_folder("the folder of stored weights", weights_of_plants.TUNED)
+        check_folder("the folder of stored weights", stored.TUNED)
     if args.study is not None:
         check_folder("study", args.study.parent)
 

@@ -14,12 +14,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from heli_gym.baselines.control.weights import TUNED
+from heli_gym.baselines.control.weights.stored import TUNED
 
 MOMENTS, SHARE = 100, 1.0
 CODE = (
     "import sys, numba; from pathlib import Path; sys.argv[0] = sys.argv.pop(1);"
-    "from heli_gym.baselines.control import weights; weights.TUNED = Path(sys.argv.pop(1)) / 'tuned';"
+    "from heli_gym.baselines.control.weights import stored; stored.TUNED = Path(sys.argv.pop(1)) / 'tuned';"
     "from heli_gym import cli; cli.run(sys.argv[0])"
 )
 

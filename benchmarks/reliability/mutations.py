@@ -17,9 +17,8 @@ import numpy as np
 
 from heli_gym import Maneuver, Trajectory
 from heli_gym.baselines import plan
-from heli_gym.baselines.control import weights as weights_module
 from heli_gym.baselines.control.residual import LEARNED, Network, load_learned
-from heli_gym.baselines.control.weights import stored_weights
+from heli_gym.baselines.control.weights import stored
 from heli_gym.baselines.evaluation.agents import load_onnx, load_sb3
 from heli_gym.baselines.evaluation.leaderboard import Batch, Condition, Ledger, Settings, fly_batch, line_of, standings
 from heli_gym.baselines.identification.flight_log import FlightLog
@@ -86,12 +85,12 @@ def load_agent(path: Path) -> str:
 
 
 def load_weights(path: Path) -> str:
-    before = weights_module.TUNED
-    weights_module.TUNED = path.parent
+    before = stored.TUNED
+    stored.TUNED = path.parent
     try:
-        return digest([stored_weights(name, "lab") for name in ("lqi", "feedforward+tvlqr", "kalman-lqr")])
+        return digest([stored.stored_weights(name, "lab") for name in ("lqi", "feedforward+tvlqr", "kalman-lqr")])
     finally:
-        weights_module.TUNED = before
+        stored.TUNED = before
 
 
 def load_ledger(path: Path) -> str:
@@ -139,7 +138,7 @@ def artifacts(folder: Path) -> list[Artifact]:
     name = ledger.path("zero", Condition("lab", "climb-15")).name
     ledger.close()
     learned = {f"lab{suffix}": (LEARNED / f"lab{suffix}").read_bytes() for suffix in (".json", ".safetensors")}
-    tuned = {"lab.json": (weights_module.TUNED / "lab.json").read_bytes()}
+    tuned = {"lab.json": (stored.TUNED / "lab.json").read_bytes()}
     mapping = b'[columns]\ntravel = "a"\n[signs]\ntravel = -1\n[units]\nt = "ms"\n'
     found = [
         Artifact("plan", {"plan.npz": plan_bytes}, "plan.npz", load_trajectory, False),

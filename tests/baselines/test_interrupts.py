@@ -69,7 +69,7 @@ def test_evaluate_interrupted_before_the_first_flight_writes_nothing(monkeypatch
 
 def test_tune_prints_the_best_weights_until_the_interrupt_and_stores_none(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(tune, "returns", InterruptedAt(tune.returns, 8))
-    monkeypatch.setattr(tune.weights_of_plants, "TUNED", tmp_path / "tuned")
+    monkeypatch.setattr("heli_gym.baselines.control.weights.stored.TUNED", tmp_path / "tuned")
     arguments = ["--policy", "lqi", "--plants", "lab", "--draws", "1", "--candidates", "30", "--population", "5"]
     status, out, line = run(
         monkeypatch, capsys, tmp_path, "heli-tune", [*arguments, "--store", "--reference", "climb-7.5"]

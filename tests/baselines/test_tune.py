@@ -100,7 +100,7 @@ def test_a_study_repeats_and_its_best_candidate_is_stored(method, tmp_path, monk
         return np.full(2, -(np.log(policy.gains.travel / 2.0) ** 2))
 
     monkeypatch.setattr(tune, "returns", nearer_is_better)
-    monkeypatch.setattr("heli_gym.baselines.control.weights.TUNED", tmp_path)
+    monkeypatch.setattr("heli_gym.baselines.control.weights.stored.TUNED", tmp_path)
     small = {"policy": "flatness", "plants": ("lab",), "reference": "climb-7.5", "draws": 2, "population": 8}
     files = [tmp_path / "one" / "study.json", tmp_path / "two" / "study.json"]
     for file in files:
@@ -140,7 +140,7 @@ def test_weights_are_stored_for_one_plant_only(tmp_path, monkeypatch):
     with pytest.raises(SystemExit, match="heli-tune: plants = "):
         tune.main(tune.Args(store=True))
     monkeypatch.setattr(tune, "returns", lambda envs, policy, seed, objective: np.zeros(2))
-    monkeypatch.setattr("heli_gym.baselines.control.weights.TUNED", tmp_path)
+    monkeypatch.setattr("heli_gym.baselines.control.weights.stored.TUNED", tmp_path)
     tune.main(tune.Args(plants=("rigid",), store=True, reference="climb-7.5", draws=2, candidates=8, population=8))
     assert vars(stored_weights("feedforward+tvlqr", "rigid")).keys() == vars(TVLQR).keys()
 

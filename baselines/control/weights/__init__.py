@@ -1,0 +1,46 @@
+"""Design weights of the controllers, general ones and stored ones for plants; imports what `control` imports."""
+
+from heli_gym.baselines.control.weights.design import (
+    ADAPTIVE_MPC,
+    FLAT,
+    KALMAN_LQR,
+    L1,
+    LAG_LQI,
+    LAG_LQR,
+    LINEAR_MPC,
+    LQI,
+    NMPC,
+    PD,
+    TVLQR,
+    WEIGHTS,
+    CascadeGains,
+    L1Weights,
+    LinearMpcWeights,
+    MpcWeights,
+    ObserverWeights,
+)
+from heli_gym.baselines.control.weights.stored import store_weights, stored_weights, weights_file, weights_of
+
+__all__ = [
+    "ADAPTIVE_MPC",
+    "FLAT",
+    "KALMAN_LQR",
+    "L1",
+    "LAG_LQI",
+    "LAG_LQR",
+    "LINEAR_MPC",
+    "LQI",
+    "NMPC",
+    "PD",
+    "TVLQR",
+    "WEIGHTS",
+    "CascadeGains",
+    "L1Weights",
+    "LinearMpcWeights",
+    "MpcWeights",
+    "ObserverWeights",
+    "store_weights",
+    "stored_weights",
+    "weights_file",
+    "weights_of",
+]
