@@ -122,7 +122,13 @@ def picture(rigs: dict[str, Rig]) -> Figure:
             values = [effect(p) for p in draws[name]]
             marker = "-" if np.ptp(values) else "s"  # a single value
             axes.plot(
-                [min(values), max(values)], [3 - i] * 2, marker, color=COLOURS[name], linewidth=5.0, markersize=5.0
+                [min(values), max(values)],
+                [3 - i] * 2,
+                marker,
+                color=COLOURS[name],
+                linewidth=5.0,
+                markersize=5.0,
+                solid_capstyle="butt",
             )
         values = measured_drift() if effect is drift else [effect(p) for p in identified]
         axes.plot(values, [-1] * len(values), "o", color=BLUE, alpha=0.7)
