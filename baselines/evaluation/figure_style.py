@@ -11,6 +11,7 @@ from matplotlib import rc_context
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
 from heli_gym.baselines.evaluation.labels import BLUE, GREEN, ORANGE, PINK, RED, SKY
@@ -180,4 +181,7 @@ def finish(figure: Figure) -> None:
         for handle, label in zip(*axes.get_legend_handles_labels()):
             entries.setdefault(label, handle)
     rows = math.ceil(len(entries) / 4)
-    figure.legend(entries.values(), entries, loc="outside lower center", ncols=math.ceil(len(entries) / rows))
+    legend = figure.legend(entries.values(), entries, loc="outside lower center", ncols=math.ceil(len(entries) / rows))
+    for handle in legend.legend_handles:
+        if isinstance(handle, Line2D):  # one of many faint lines would not be seen alone
+            handle.set_alpha(1.0)

@@ -466,6 +466,19 @@ def test_a_push_moves_the_pitch(page):
     assert open_loop - reference > 2.0
 
 
+def test_keys_that_come_within_one_frame_all_move_the_time(page):
+    script = """
+        await press(["Home"]);
+        await page.evaluate(() => {
+          const key = () => new KeyboardEvent("keydown", {key: "ArrowRight", bubbles: true});
+          for (let k = 0; k < 4; k++) document.activeElement.dispatchEvent(key());
+        });
+        await drawn();
+        return clock();
+    """
+    assert in_browser(page, STILL + READ + SMALL + script) == 0.4
+
+
 @pytest.mark.slow
 def test_a_slider_changes_the_flight_and_a_missing_plan_is_reported(page, papers_plan):
     script = """

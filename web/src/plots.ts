@@ -181,11 +181,15 @@ export class Plot {
       const middle = Math.min(Math.max(this.time, half), Math.max(this.options.duration - half, half));
       this.plot.setScale("x", { min: Math.max(middle - half, 0), max: Math.min(middle + half, this.options.duration) });
     };
+    const move = (time: number) => {
+      this.time = Math.min(Math.max(time, 0), this.options.duration); // more keys may come before the next frame
+      onTime(this.time);
+    };
     const actions: Record<string, () => void> = {
-      ArrowLeft: () => onTime(Math.max(this.time - step, 0)),
-      ArrowRight: () => onTime(Math.min(this.time + step, this.options.duration)),
-      Home: () => onTime(0),
-      End: () => onTime(this.options.duration),
+      ArrowLeft: () => move(this.time - step),
+      ArrowRight: () => move(this.time + step),
+      Home: () => move(0),
+      End: () => move(this.options.duration),
       ...(this.options.sync && { "+": () => zoomed(0.5), "=": () => zoomed(0.5), "-": () => zoomed(2), "0": () => zoomed(1e3) }),
     };
     const action = actions[event.key];
