@@ -3,7 +3,9 @@
 Pure functions of floats or arrays that broadcast, components first.
 """
 
+import itertools
 import math
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -139,14 +141,23 @@ def reference_table(reference: Trajectory, control_period: float) -> np.ndarray:
     The features at each PREVIEW time are the travel relative to now (omitted at 0 s, where it is zero), the other five
     state components and the nominal voltages; the last feature is the remaining time. All are scaled and saturated.
     """
-    ahead = [control_grid(reference, control_period, seconds) for seconds in PREVIEW]
-    (x, u), rows = ahead[0], []
-    for x_ahead, u_ahead in ahead:
-        from_now_on = x_ahead - np.concatenate((x[:1], np.zeros((5, x.shape[1]))))
-        rows += [np.stack(observed_error(from_now_on)), observed_voltage(u_ahead)]
-    remaining = np.maximum(reference.duration - control_period * np.arange(x.shape[1]), 0.0)
-    features = np.concatenate((*rows, remaining[None] / TIME_SCALE))[1:]
-    return np.concatenate((x, u, np.clip(features, -OBSERVATION_LIMIT, OBSERVATION_LIMIT)))
+    x, u = control_grid(reference, control_period)
+    table = np.empty((TABLE_WIDTH, x.shape[1]))
+    table[:6], table[6:8] = x, u
+    features = itertools.chain.from_iterable(
+        _seen_ahead(x[0], *control_grid(reference, control_period, seconds)) for seconds in PREVIEW
+    )
+    for row, feature in enumerate(itertools.islice(features, 1, None), 8):  # one at a time: flights may take hours
+        table[row] = feature
+    table[-1] = np.maximum(reference.duration - control_period * np.arange(x.shape[1]), 0.0) / TIME_SCALE
+    np.clip(table[8:], -OBSERVATION_LIMIT, OBSERVATION_LIMIT, out=table[8:])
+    return table
+
+
+def _seen_ahead(travel: np.ndarray, x: np.ndarray, u: np.ndarray) -> Iterator[np.ndarray]:
+    """Yield the features (K,) of states (6, K) and voltages (2, K) to come, the travel relative to the present (K,)."""
+    yield from observed_error((x[0] - travel, *x[1:]))
+    yield from observed_voltage(u)
 
 
 def observation_bounds() -> tuple[np.ndarray, np.ndarray]:

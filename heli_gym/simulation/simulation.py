@@ -57,7 +57,8 @@ from heli_gym.task import OBSERVED, TABLE_WIDTH, control_steps, hover_voltage, r
 from heli_gym.thrust_map import TableCurve
 from heli_gym.trajectory import Sampler, Trajectory
 
-MOST_BYTES = 2**30  # of the arrays of a simulation
+MOST_BYTES = 3 * 2**29  # of the arrays of a simulation
+TABLE_COPIES, BLOCK_COPIES = 3.5, 5.0  # of references and helicopters, while they are made and reset (measured)
 SUBSTEP = 10e-3  # s, largest integration step of plants beyond (3)
 STABLE = 0.5  # largest product of an integration step and the rate at which friction damps an axis
 
@@ -242,7 +243,7 @@ class Simulation:
         longest = {id(source): control_steps(source.duration, self.control_period) + 1 for source in self.sources}
         samplers = [id(source) for source in self.sources if not isinstance(source, Trajectory)]
         table = sum(longest[key] for key in {*longest} - {*samplers}) + sum(map(longest.__getitem__, samplers))
-        size = 8 * (table * TABLE_WIDTH + 2 * rows * len(self.plants))
+        size = 8 * (TABLE_COPIES * table * TABLE_WIDTH + BLOCK_COPIES * rows * len(self.plants))
         if size > MOST_BYTES:
             raise ValueError(
                 f"num_envs = {len(self.plants)}, control_period = {self.control_period:g} s: references of "

@@ -1,6 +1,7 @@
 """Odd values are refused by the name of the argument, everywhere, and what is accepted flies finitely."""
 
 import math
+import tracemalloc
 
 import gymnasium as gym
 import numpy as np
@@ -24,6 +25,7 @@ from heli_gym.plant import (
     ThrustDrift,
     Uniform,
 )
+from heli_gym.simulation.simulation import BLOCK_COPIES, TABLE_COPIES
 from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustMap
 from heli_gym.validation import is_number, real_array, shown
 from heli_gym.vector_env import Heli3DOFVectorEnv
@@ -184,13 +186,32 @@ def test_a_stiff_pendulum_swings_with_its_own_frequency():
     "make",
     [
         lambda: Heli3DOFEnv(reference=Trajectory([0.0, 3600.0], TWO[1], np.full((2, 2), 6.0)), control_period=1e-4),
-        lambda: Heli3DOFVectorEnv(2**20, Plant(rotors=Rotors(delay=0.5)), control_period=1e-3),
+        lambda: Heli3DOFVectorEnv(2**18, Plant(rotors=Rotors(delay=0.5)), control_period=1e-3),
         lambda: Heli3DOFVectorEnv(50_000, reference=ManeuverSampler(3000.0)),
     ],
 )
 def test_environments_that_would_take_gigabytes_are_refused_by_name(make):
     with pytest.raises(ValueError, match=r"num_envs = .*control_period = .*GB"):
         make()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        {"reference": Trajectory([0.0, 3600.0], TWO[1], np.full((2, 2), 6.0)), "control_period": 0.05},
+        {"num_envs": 2**15},
+    ],
+)
+def test_an_environment_takes_no_more_memory_than_was_expected_of_it(arguments):
+    Heli3DOFVectorEnv(**{"num_envs": 1, **arguments}).reset(seed=0)  # compiles
+    tracemalloc.start()
+    env = Heli3DOFVectorEnv(**{"num_envs": 1, **arguments})
+    env.reset(seed=0)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    flown = env.simulation
+    expected = 8 * (TABLE_COPIES * flown.table.size + BLOCK_COPIES * flown.initial.size)
+    assert 0.8 * expected < peak < expected + 2e6
 
 
 @pytest.mark.parametrize(
