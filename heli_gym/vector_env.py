@@ -33,7 +33,7 @@ from heli_gym.simulation.simulation import Simulation
 from heli_gym.trajectory import Sampler, Trajectory
 from heli_gym.validation import real_array, shown
 
-MOST_ENVS = 2**18  # helicopters, in 1.5 GB of memory
+MOST_ENVS = 2**17  # helicopters, made in some 4 s
 MOST_STEPS = 2**31  # of an episode
 MOST_THREADS = 256
 

@@ -342,7 +342,7 @@ def test_dragging_a_body_pushes_it_and_dragging_elsewhere_turns_the_view(page):
         const before = await offPlan();
         await page.mouse.move(stage.x + pushed[0] * stage.width + 120, stage.y + pushed[1] * stage.height, {steps: 4});
         let during = before;
-        while (during - before < 2.0 && parseFloat(await text(".clock")) < 5.0) {
+        while (during - before <= 2.0 && parseFloat(await text(".clock")) < 5.0) {
           await drawn();
           during = await offPlan();
         }

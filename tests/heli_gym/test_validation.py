@@ -186,7 +186,7 @@ def test_a_stiff_pendulum_swings_with_its_own_frequency():
     "make",
     [
         lambda: Heli3DOFEnv(reference=Trajectory([0.0, 3600.0], TWO[1], np.full((2, 2), 6.0)), control_period=1e-4),
-        lambda: Heli3DOFVectorEnv(2**18, Plant(rotors=Rotors(delay=0.5)), control_period=1e-3),
+        lambda: Heli3DOFVectorEnv(2**17, Plant(rotors=Rotors(delay=0.5)), control_period=1e-3),
         lambda: Heli3DOFVectorEnv(50_000, reference=ManeuverSampler(3000.0)),
     ],
 )
