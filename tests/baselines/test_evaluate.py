@@ -147,7 +147,11 @@ def test_figures_of_flights_show_the_flown_maneuver_and_figures_of_plans_the_pap
     flown.save(tmp_path / "own.npz")
     monkeypatch.setattr(evaluate, "PAPER_PERIOD", 0.02)  # sooner flown
     drawn = {}
-    monkeypatch.setattr(evaluate.figure_style, "save", lambda figure, path, columns: drawn.update({path.stem[:5]: figure}))
+
+    def save(figure, path, columns):
+        drawn[path.stem[:5]] = figure
+
+    monkeypatch.setattr(evaluate.figure_style, "save", save)
     reference = str(tmp_path / name) if name == "own.npz" else name
     args = Args(reference=reference, plant="lab", seed=SEED, out=tmp_path)
     evaluate.draw_figures(args, unconstrained_plan, paper_plan, Console(quiet=True))

@@ -56,6 +56,7 @@ def test_without_lead_the_same_open_loop_misses():
     assert miss > 0.05
 
 
+@pytest.mark.slow
 def test_lag_and_dead_time_cost_time():
     follows, leads = (plan_fastest(Maneuver(duration=20.0, lead=lead)) for lead in (False, True))
     assert follows.duration + 0.02 < leads.duration < 1.1 * follows.duration
@@ -74,6 +75,7 @@ MOVING = (2.8, 0.3, -0.08, 0.03, 0.1, 0.0)
     ],
     ids=["to a goal in motion", "to any elevation", "the rig of the course"],
 )
+@pytest.mark.slow
 def test_the_fastest_plan_leads_within_its_limits(requested):
     leads = plan_fastest(requested, "spline")
     flown = flown_open_loop(leads, requested.rig)
@@ -113,6 +115,7 @@ def test_the_response_of_the_rotors_is_scipys():
     assert_allclose(w, exact, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_a_refusal_states_a_duration_that_works():
     with pytest.raises(InfeasibleManeuver, match=r"dead time of 0\.02 s") as refusal:
         plan(Maneuver(duration=8.0, lead=True))

@@ -389,6 +389,7 @@ def test_every_plan_of_the_grid_arrives_within_its_limits(live):
         assert pitch_low - 1e-6 <= x[:, 4].min() <= x[:, 4].max() <= pitch_high + 1e-6
 
 
+@pytest.mark.slow
 def test_the_grid_agrees_with_the_solver(live):
     grid = live["grid"]
     i, j = len(demo.PITCH_LIMITS_DEG) - 1, 1

@@ -102,7 +102,7 @@ def test_the_gradient_is_that_of_central_differences_where_sensors_are_smooth(pl
         assert (up - down) / (2.0 * step) == pytest.approx((slope * direction).sum(), rel=1e-5, abs=1e-7), name
 
 
-@pytest.mark.parametrize("after_crash", [False, True])
+@pytest.mark.parametrize("after_crash", [pytest.param(False, marks=pytest.mark.slow), True])
 def test_the_gradient_is_that_of_central_differences_where_flights_crash(after_crash):
     task = task_of(residual_policy(), helicopters(), 0.5, 1.0, after_crash=after_crash)
     task = task._replace(
@@ -160,7 +160,7 @@ def flown(weights, hidden, policy, seed, plant="lab"):
     return rollout.x.transpose(1, 0, 2), np.stack([f.x for f in flights], axis=-1), outcome.cost, np.array(costs)
 
 
-@pytest.mark.parametrize("plant", ["lab", "rigid"])
+@pytest.mark.parametrize("plant", ["lab", pytest.param("rigid", marks=pytest.mark.slow)])
 def test_without_a_correction_the_flights_are_those_of_the_base_in_the_environment(plant):
     task = task_of(residual_policy(), helicopters(), 0.5, 1.0)
     nothing = Weights(*map(np.zeros_like, random_weights(task, 3, float)))
@@ -169,6 +169,7 @@ def test_without_a_correction_the_flights_are_those_of_the_base_in_the_environme
     assert_allclose(cost, expected_cost, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_the_flights_of_a_fleet_are_those_of_the_environment_but_for_longer_integration_steps():
     fleet = find_plant("fleet")  # with encoders so fine that none of their counts comes a period early or late
     fleet = replace(fleet, sensors=replace(fleet.sensors, counts=(2**31 - 1,) * 3))

@@ -135,7 +135,12 @@ def without_time(path):
 
 @pytest.mark.parametrize(
     "args",
-    [SMALL, replace(SMALL, algo="recurrent-ppo", cell=8), replace(SMALL, algo="sac", buffer=2000), SMALL_APG],
+    [
+        SMALL,
+        pytest.param(replace(SMALL, algo="recurrent-ppo", cell=8), marks=pytest.mark.slow),
+        pytest.param(replace(SMALL, algo="sac", buffer=2000), marks=pytest.mark.slow),
+        SMALL_APG,
+    ],
     ids=lambda args: args.algo,
 )
 def test_an_interrupted_run_goes_on_to_the_same_weights(tmp_path, args):
