@@ -59,7 +59,7 @@ ANY := out/train/runs/lab/$(METHOD)@lab-any-maneuver/0/best.json
 
 reproduce: $(VENV)/dev
 	@echo "ten searches for weights, 54 training runs, four tables; may be interrupted"
-	@echo "some two hours of one idle core, estimated from measured parts: no machine has run it whole in one go"
+	@echo "some four hours of one idle core, half with WORKERS=2 on two; no machine has run it whole in one go"
 	for plant in lab rigid; do \
 	  for policy in $(TUNED); do \
 	    $(BIN)/heli-tune --policy $$policy --plants $$plant --objective tracking \
@@ -77,7 +77,7 @@ reproduce: $(VENV)/dev
 	done
 	for plant in lab rigid; do \
 	  $(BIN)/heli-results --plant $$plant --methods "out/train/runs/$$plant/$(METHOD)@$$plant-initialised" \
-	    --policies feedforward+tvlqr $(TUNED:%=%@PLANT) adaptive-mpc --oracle 100 --out out/results || exit 1; \
+	    --policies feedforward+tvlqr $(TUNED:%=%@PLANT) adaptive-mpc --oracle 100 --workers $(WORKERS) --out out/results || exit 1; \
 	done
 	$(BIN)/heli-results --plant fleet --rig fleet --methods out/train/runs/fleet.fleet/$(METHOD)-initialised \
 	  --against feedforward+tvlqr --policies $(ON_FLEET) --out out/results

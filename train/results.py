@@ -8,7 +8,10 @@ paired by draw, the relative improvement over the paper's controller and its pro
 
 import json
 from dataclasses import dataclass
+from functools import lru_cache
+from hashlib import sha256
 from pathlib import Path
+from typing import NamedTuple
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -19,6 +22,7 @@ from rich.table import Table
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.weights import weights_file
+from heli_gym.baselines.evaluation.engine import check_engine, open_engine, progress_bar
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.evaluation.statistics import improvement, mean_with_interval, rank_crashes_last
@@ -26,7 +30,7 @@ from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.rig import find_rig
-from heli_gym.storage import atomic_write, check_folder
+from heli_gym.storage import atomic_write, check_folder, read_json_object
 from heli_gym.train.oracle import NoOptimum, Oracle
 from heli_gym.trajectory import Trajectory
 from heli_gym.vector_env import MOST_ENVS, Heli3DOFVectorEnv
@@ -58,6 +62,7 @@ class Args:
     episodes: int = 100  # number of draws
     seed: int = HELD_OUT_SEED  # seed of the first draw, then counting up
     oracle: int = 0  # number of draws for the oracle, too: 3 s each on lab, 40 s on rigid
+    workers: int = 1  # processes for the oracle
     out: Path = Path("out/results")
 
 
@@ -89,17 +94,65 @@ def metrics_of(flight: Trajectory, reference: Trajectory, env: Heli3DOFEnv | Hel
     return *m.rms_error_deg, m.cost, m.episode_return, float(m.crashed), float(m.success)
 
 
-def oracle_metrics(env: Heli3DOFEnv, oracle: Oracle, args: Args, console: Console) -> np.ndarray:
-    """Metrics (len(METRICS), args.oracle) of the oracle on the first draws; NaN where the solver fails."""
+class OracleFlight(NamedTuple):
+    """Held-out flight of the oracle."""
+
+    plant: str
+    reference: Trajectory
+    rig: str
+    seed: int
+
+
+@lru_cache(maxsize=1)
+def oracle_on(plant: str, reference: Trajectory, rig: str) -> tuple[Heli3DOFEnv, Oracle]:
+    """Environment and oracle of a plant. Raises ValueError for a plant that the oracle does not cover."""
+    env = Heli3DOFEnv(plant, reference, start_spread_deg=START_SPREAD_DEG, rig=rig)
+    return env, Oracle(env.plant, env.reference, env.control_period, env.voltage_limits, env.pitch_limit)
+
+
+def fly_oracle(flight: OracleFlight) -> list[float] | str:
+    """Values of METRICS for the oracle's flight, or why there is none."""
+    env, oracle = oracle_on(flight.plant, flight.reference, flight.rig)
+    _, info = env.reset(seed=flight.seed)
+    try:
+        policy = oracle.policy(env.drawn_plant, info["state"], env.reference.u[:, 0], env.control_period)
+    except NoOptimum as error:
+        return str(error)
+    return list(metrics_of(fly(env, policy, seed=flight.seed), env.reference, env))
+
+
+def oracle_metrics(args: Args, reference: Trajectory, console: Console) -> np.ndarray:
+    """Metrics (len(METRICS), args.oracle) of the oracle on the first draws; NaN where the solver fails.
+
+    Every flight is stored in PLANT-oracle.json; flights of the same plant, reference and rig are taken from there.
+    """
+    path = args.out / f"{args.plant}-oracle.json"
+    samples = sha256(b"".join(array.tobytes() for array in (reference.t, reference.x, reference.u))).hexdigest()
+    rig = sha256(find_rig(args.rig).to_toml().encode()).hexdigest()
+    stored = {"plant": args.plant, "reference_sha256": samples, "rig_sha256": rig, "flights": {}}
+    if path.exists():
+        earlier = read_json_object(path)
+        if {**earlier, "flights": {}} == stored:
+            stored = earlier
+        else:
+            announce_replaced("heli-results", path)
+    flights: dict[str, list[float] | str] = stored["flights"]
+    seeds = range(args.seed, args.seed + args.oracle)
+    missing = [OracleFlight(args.plant, reference, args.rig, seed) for seed in seeds if str(seed) not in flights]
+    with open_engine(workers=args.workers) as engine, progress_bar(console) as progress:
+        bar = progress.add_task("the oracle", total=len(missing))
+        for index, outcome in engine.results(fly_oracle, missing):
+            flights[str(missing[index].seed)] = outcome
+            with atomic_write(path) as file:
+                file.write((json.dumps(stored, indent=2) + "\n").encode())
+            progress.update(bar, advance=1)
     found = np.full((len(METRICS), args.oracle), np.nan)
-    for k in track(range(args.oracle), "the floor", console=console):
-        _, info = env.reset(seed=args.seed + k)
-        try:
-            policy = oracle.policy(env.drawn_plant, info["state"], env.reference.u[:, 0], env.control_period)
-        except NoOptimum as error:
-            console.print(f"seed {args.seed + k}, left out of the oracle's row: {error}")
-            continue
-        found[:, k] = metrics_of(fly(env, policy, seed=args.seed + k), env.reference, env)
+    for k, seed in enumerate(seeds):
+        outcome = flights[str(seed)]
+        if isinstance(outcome, str):
+            console.print(f"seed {seed}, left out of the oracle's row: {outcome}")
+        else:
+            found[:, k] = outcome
     return found
 
 
@@ -115,6 +168,7 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         raise ValueError(f"episodes = {args.episodes}: must be at least 2 and at most {MOST_ENVS}")
     if not 0 <= args.oracle <= args.episodes:
         raise ValueError(f"oracle = {args.oracle}: must be 0 to episodes = {args.episodes}")
+    check_engine("local", args.workers)
     if against(args) not in policies(args):
         raise ValueError(f"against = {args.against!r}: must be one of policies = {policies(args)}")
     reference = reference_for(args.reference, args.rig, args.force)
@@ -133,13 +187,12 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         (label, make_policy(name, reference, envs.control_period)) for label, group in names.items() for name in group
     ]
     if args.oracle:
-        single = Heli3DOFEnv(args.plant, reference, start_spread_deg=START_SPREAD_DEG, rig=args.rig)
-        oracle = Oracle(single.plant, reference, single.control_period, single.voltage_limits, single.pitch_limit)
+        oracle_on(args.plant, reference, args.rig)
     results: dict[str, list[np.ndarray]] = {label: [] for label in names}
     for label, policy in track(jobs, "flying", console=console):
         results[label].append(policy_metrics(envs, policy, args.seed))
     if args.oracle:
-        least = oracle_metrics(single, oracle, args, console)
+        least = oracle_metrics(args, reference, console)
         if np.isfinite(least).any():
             results["oracle"] = [least]
     return {label: np.stack(group, axis=1) for label, group in results.items()}

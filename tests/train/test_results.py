@@ -110,6 +110,17 @@ def test_without_any_optimum_the_oracle_has_no_row(tmp_path, monkeypatch):
     assert set(compare(args, Console(quiet=True))) == {"feedforward+tvlqr"}
 
 
+def test_two_processes_fly_the_oracle_as_one_does_and_its_flights_are_flown_once(tmp_path, monkeypatch):
+    args = replace(SMALL, episodes=2, oracle=2, workers=2, out=tmp_path)
+    twice = compare(args, Console(quiet=True))["oracle"]
+    once = compare(replace(args, workers=1, out=tmp_path / "one"), Console(quiet=True))["oracle"]
+    assert_array_equal(twice, once)
+    monkeypatch.setattr(Oracle, "policy", None)
+    assert_array_equal(compare(args, Console(quiet=True))["oracle"], once)
+    with pytest.raises(TypeError):  # another reference, another flight
+        compare(replace(args, reference="climb-15"), Console(quiet=True))
+
+
 def delayed(name):
     """The plant of this name with a delay of one control period of 0.05 s."""
     plant = find_plant(name)
