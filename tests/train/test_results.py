@@ -118,7 +118,7 @@ def test_two_processes_fly_the_oracle_as_one_does_and_its_flights_are_flown_once
     monkeypatch.setattr(Oracle, "policy", None)
     assert_array_equal(compare(args, Console(quiet=True))["oracle"], once)
     with pytest.raises(TypeError):  # another reference, another flight
-        compare(replace(args, reference="climb-15"), Console(quiet=True))
+        compare(replace(args, reference="climb-15", workers=1), Console(quiet=True))
 
 
 def delayed(name):
