@@ -79,7 +79,7 @@ def limits_on(axes, coordinate):
 def test_every_axis_has_a_label_with_a_unit(drawn, name):
     for axes in drawn[name].axes:
         assert re.search(r"\S\s\(\S.*\)$", axes.get_ylabel())
-        shared_with_the_panel_below = not axes.xaxis.get_tick_params()["labelbottom"]
+        shared_with_the_panel_below = not axes.xaxis.get_major_ticks()[0].label1.get_visible()
         assert shared_with_the_panel_below or re.search(r"\S \(\S.*\)$", axes.get_xlabel())
 
 
