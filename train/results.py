@@ -129,7 +129,7 @@ def oracle_metrics(args: Args, reference: Trajectory, console: Console) -> np.nd
     path = args.out / f"{args.plant}-oracle.json"
     samples = sha256(b"".join(array.tobytes() for array in (reference.t, reference.x, reference.u))).hexdigest()
     rig = sha256(find_rig(args.rig).to_toml().encode()).hexdigest()
-    stored = {"plant": args.plant, "reference_sha256": samples, "rig_sha256": rig, "flights": {}}
+    stored: dict = {"plant": args.plant, "reference_sha256": samples, "rig_sha256": rig, "flights": {}}
     if path.exists():
         earlier = read_json_object(path)
         if {**earlier, "flights": {}} == stored:

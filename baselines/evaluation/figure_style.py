@@ -182,6 +182,6 @@ def finish(figure: Figure) -> None:
             entries.setdefault(label, handle)
     rows = math.ceil(len(entries) / 4)
     legend = figure.legend(entries.values(), entries, loc="outside lower center", ncols=math.ceil(len(entries) / rows))
-    for handle in legend.legend_handles:
-        if isinstance(handle, Line2D):  # one of many faint lines would not be seen alone
-            handle.set_alpha(1.0)
+    for shown in legend.legend_handles:
+        if isinstance(shown, Line2D):  # one of many faint lines would not be seen alone
+            shown.set_alpha(1.0)
