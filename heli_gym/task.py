@@ -144,9 +144,8 @@ def reference_table(reference: Trajectory, control_period: float) -> np.ndarray:
     x, u = control_grid(reference, control_period)
     table = np.empty((TABLE_WIDTH, x.shape[1]))
     table[:6], table[6:8] = x, u
-    features = itertools.chain.from_iterable(
-        _seen_ahead(x[0], *control_grid(reference, control_period, seconds)) for seconds in PREVIEW
-    )
+    grids = itertools.chain([(x, u)], (control_grid(reference, control_period, ahead) for ahead in PREVIEW[1:]))
+    features = itertools.chain.from_iterable(_seen_ahead(x[0], *grid) for grid in grids)
     for row, feature in enumerate(itertools.islice(features, 1, None), 8):  # one at a time: flights may take hours
         table[row] = feature
     table[-1] = np.maximum(reference.duration - control_period * np.arange(x.shape[1]), 0.0) / TIME_SCALE
