@@ -199,7 +199,7 @@ def test_environments_that_would_take_gigabytes_are_refused_by_name(make):
     "arguments",
     [
         {"reference": Trajectory([0.0, 3600.0], TWO[1], np.full((2, 2), 6.0)), "control_period": 0.05},
-        {"num_envs": 2**15},
+        {"num_envs": 2**12},
     ],
 )
 def test_an_environment_takes_no_more_memory_than_was_expected_of_it(arguments):
