@@ -9,8 +9,7 @@ export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
 
 TUNED := feedforward+tvlqr lqi lag-lqr lag-lqi kalman-lqr
-# `make reproduce ENGINE=ray ADDRESS=auto`, or WORKERS=8 on this machine, trains the same networks; the searches for
-# weights run on one core, because with several they learn from batches of candidates, and end elsewhere.
+# `make reproduce ENGINE=ray ADDRESS=auto`, or WORKERS=8 on this machine, trains the same networks.
 ENGINE := local
 ADDRESS :=
 WORKERS := 1
@@ -20,7 +19,7 @@ METHOD := apg-feedforward+tvlqr
 ON_FLEET := feedforward+tvlqr hover-lqr lqi lag-lqr lag-lqi kalman-lqr gain-scheduled flatness pd-cascade linear-mpc \
   l1-adaptive adaptive-lqr adaptive-mpc
 
-.PHONY: demo test test-slow lint docs pictures build/types reproduce leaderboard clean
+.PHONY: demo test test-slow lint docs pictures build/types reproduce tune leaderboard clean
 
 demo: $(VENV)/eval
 	$(BIN)/heli-evaluate --out out
@@ -58,14 +57,8 @@ build/types:
 ANY := out/train/runs/lab/$(METHOD)@lab-any-maneuver/0/best.json
 
 reproduce: $(VENV)/dev
-	@echo "ten searches for weights, 54 training runs, four tables; may be interrupted"
+	@echo "54 training runs on the stored weights of the controllers, four tables; may be interrupted"
 	@echo "some four hours of one idle core, half with WORKERS=2 on two; no machine has run it whole in one go"
-	for plant in lab rigid; do \
-	  for policy in $(TUNED); do \
-	    $(BIN)/heli-tune --policy $$policy --plants $$plant --objective tracking \
-	      --candidates 200 --population 20 --store || exit 1; \
-	  done; \
-	done
 	for study in first-lab first-fleet; do \
 	  $(SWEEP) results/studies/$$study.toml --out out/first || exit 1; \
 	done
@@ -84,6 +77,16 @@ reproduce: $(VENV)/dev
 	$(BIN)/heli-results --methods out/ablation/runs/lab/* --policies feedforward+tvlqr@PLANT --out out/results/ablation
 	$(BIN)/python -m heli_gym.train.maneuvers --out out/results \
 	  --policies feedforward+tvlqr@lab kalman-lqr@lab adaptive-mpc residual "$(ANY)"
+
+# Ten searches for weights, on one core, because several learn from batches of candidates, and end elsewhere. It
+# replaces the stored weights, of an earlier version, by others: the networks were trained on the stored ones.
+tune: $(VENV)/dev
+	for plant in lab rigid; do \
+	  for policy in $(TUNED); do \
+	    $(BIN)/heli-tune --policy $$policy --plants $$plant --objective tracking \
+	      --candidates 200 --population 20 --store || exit 1; \
+	  done; \
+	done
 
 # The table of docs/evaluation.md: an hour or more of one idle core; may be interrupted.
 leaderboard: $(VENV)/dev
