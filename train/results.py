@@ -7,6 +7,7 @@ paired by draw, the relative improvement over the paper's controller and its pro
 """
 
 import json
+import sys
 from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import sha256
@@ -19,6 +20,7 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
+from heli_gym import __version__
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.weights import weights_file
@@ -33,6 +35,7 @@ from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, check_folder, read_json_object
 from heli_gym.train.oracle import NoOptimum, Oracle
 from heli_gym.trajectory import Trajectory
+from heli_gym.validation import is_number
 from heli_gym.vector_env import MOST_ENVS, Heli3DOFVectorEnv
 
 START_SPREAD_DEG = 5.0
@@ -98,21 +101,22 @@ class OracleFlight(NamedTuple):
     """Held-out flight of the oracle."""
 
     plant: str
-    reference: Trajectory
+    reference: str
     rig: str
+    force: bool
     seed: int
 
 
 @lru_cache(maxsize=1)
-def oracle_on(plant: str, reference: Trajectory, rig: str) -> tuple[Heli3DOFEnv, Oracle]:
+def oracle_on(plant: str, reference: str, rig: str, force: bool) -> tuple[Heli3DOFEnv, Oracle]:
     """Environment and oracle of a plant. Raises ValueError for a plant that the oracle does not cover."""
-    env = Heli3DOFEnv(plant, reference, start_spread_deg=START_SPREAD_DEG, rig=rig)
+    env = Heli3DOFEnv(plant, reference_for(reference, rig, force), start_spread_deg=START_SPREAD_DEG, rig=rig)
     return env, Oracle(env.plant, env.reference, env.control_period, env.voltage_limits, env.pitch_limit)
 
 
 def fly_oracle(flight: OracleFlight) -> list[float] | str:
     """Values of METRICS for the oracle's flight, or why there is none."""
-    env, oracle = oracle_on(flight.plant, flight.reference, flight.rig)
+    env, oracle = oracle_on(*flight[:-1])
     _, info = env.reset(seed=flight.seed)
     try:
         policy = oracle.policy(env.drawn_plant, info["state"], env.reference.u[:, 0], env.control_period)
@@ -121,30 +125,47 @@ def fly_oracle(flight: OracleFlight) -> list[float] | str:
     return list(metrics_of(fly(env, policy, seed=flight.seed), env.reference, env))
 
 
+def stored_flights(path: Path, settings: dict[str, str]) -> dict[str, list[float] | str]:
+    """Flights of the oracle by seed that an earlier run with the same settings stored; damaged ones are left out."""
+    earlier = read_json_object(path) if path.exists() else {}
+    flights = earlier.get("flights")
+    if earlier.get("settings") != settings or not isinstance(flights, dict):
+        announce_replaced("heli-results", path)
+        return {}
+    whole = {
+        seed: flight
+        for seed, flight in flights.items()
+        if isinstance(flight, str)
+        or (isinstance(flight, list) and len(flight) == len(METRICS) and all(map(is_number, flight)))
+    }
+    print(f"heli-results: {len(whole)} flights of the oracle are those in {path}", file=sys.stderr)
+    return whole
+
+
 def oracle_metrics(args: Args, reference: Trajectory, console: Console) -> np.ndarray:
     """Metrics (len(METRICS), args.oracle) of the oracle on the first draws; NaN where the solver fails.
 
-    Every flight is stored in PLANT-oracle.json; flights of the same plant, reference and rig are taken from there.
+    Every flight is stored in PLANT-oracle.json. Flights that the same version stored for the same plant, reference and
+    rig are taken from there.
     """
     path = args.out / f"{args.plant}-oracle.json"
-    samples = sha256(b"".join(array.tobytes() for array in (reference.t, reference.x, reference.u))).hexdigest()
-    rig = sha256(find_rig(args.rig).to_toml().encode()).hexdigest()
-    stored: dict = {"plant": args.plant, "reference_sha256": samples, "rig_sha256": rig, "flights": {}}
-    if path.exists():
-        earlier = read_json_object(path)
-        if {**earlier, "flights": {}} == stored:
-            stored = earlier
-        else:
-            announce_replaced("heli-results", path)
-    flights: dict[str, list[float] | str] = stored["flights"]
+    samples = b"".join(array.tobytes() for array in (reference.t, reference.x, reference.u))
+    settings = {
+        "version": __version__,
+        "plant": args.plant,
+        "reference_sha256": sha256(samples).hexdigest(),
+        "rig_sha256": sha256(find_rig(args.rig).to_toml().encode()).hexdigest(),
+    }
+    flights = stored_flights(path, settings)
     seeds = range(args.seed, args.seed + args.oracle)
-    missing = [OracleFlight(args.plant, reference, args.rig, seed) for seed in seeds if str(seed) not in flights]
+    task = args.plant, args.reference, args.rig, args.force
+    missing = [OracleFlight(*task, seed) for seed in seeds if str(seed) not in flights]
     with open_engine(workers=args.workers) as engine, progress_bar(console) as progress:
         bar = progress.add_task("the oracle", total=len(missing))
         for index, outcome in engine.results(fly_oracle, missing):
             flights[str(missing[index].seed)] = outcome
             with atomic_write(path) as file:
-                file.write((json.dumps(stored, indent=2) + "\n").encode())
+                file.write((json.dumps({"settings": settings, "flights": flights}, indent=2) + "\n").encode())
             progress.update(bar, advance=1)
     found = np.full((len(METRICS), args.oracle), np.nan)
     for k, seed in enumerate(seeds):
@@ -187,7 +208,7 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         (label, make_policy(name, reference, envs.control_period)) for label, group in names.items() for name in group
     ]
     if args.oracle:
-        oracle_on(args.plant, reference, args.rig)
+        oracle_on(args.plant, args.reference, args.rig, args.force)
     results: dict[str, list[np.ndarray]] = {label: [] for label in names}
     for label, policy in track(jobs, "flying", console=console):
         results[label].append(policy_metrics(envs, policy, args.seed))

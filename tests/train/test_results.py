@@ -121,6 +121,18 @@ def test_two_processes_fly_the_oracle_as_one_does_and_its_flights_are_flown_once
         compare(replace(args, reference="climb-15", workers=1), Console(quiet=True))
 
 
+@pytest.mark.parametrize("damage", [{"flights": None}, {"flights": {"2147483648": [1.0]}}, {"settings": {}}, {}])
+def test_damaged_flights_of_the_oracle_are_flown_again(tmp_path, monkeypatch, damage):
+    monkeypatch.setattr(Oracle, "policy", lambda *args: make_policy("kalman-lqr", find_reference("climb-7.5")))
+    args = replace(SMALL, episodes=2, oracle=1, out=tmp_path)
+    first = compare(args, Console(quiet=True))["oracle"]
+    path = tmp_path / "lab-oracle.json"
+    stored = json.loads(path.read_text())
+    path.write_text(json.dumps({**stored, **damage} if damage else {}))
+    assert_array_equal(compare(args, Console(quiet=True))["oracle"], first)
+    assert json.loads(path.read_text()) == stored
+
+
 def delayed(name):
     """The plant of this name with a delay of one control period of 0.05 s."""
     plant = find_plant(name)
