@@ -99,7 +99,10 @@ class Heli3DOFVectorEnv(VectorEnv):
         rigs = [rig_to_fly(rig, p, r) for p, r in zip(plants, references)]
         keys = [(id(r), n, own) for r, n, own in zip(references, named, rigs)]
         distinct = dict(zip(keys, references))
-        tracked = {key: reference_on_rig(r, key[2], key[1]) for key, r in distinct.items()}  # each planned again once
+        tracked = {  # each planned again once
+            (number, is_named, own): reference_on_rig(r, own, is_named)
+            for (number, is_named, own), r in distinct.items()
+        }
         references = [tracked[key] for key in keys]
         combinations = {(id(p), id(r)): (p, r, own) for p, r, own in zip(plants, references, rigs)}
         singles = {
