@@ -70,7 +70,8 @@ reproduce: $(VENV)/dev
 	done
 	for plant in lab rigid; do \
 	  $(BIN)/heli-results --plant $$plant --methods "out/train/runs/$$plant/$(METHOD)@$$plant-initialised" \
-	    --policies feedforward+tvlqr $(TUNED:%=%@PLANT) adaptive-mpc --oracle 100 --workers $(WORKERS) --out out/results || exit 1; \
+	    --policies feedforward+tvlqr $(TUNED:%=%@PLANT) adaptive-mpc --oracle 100 --workers $(WORKERS) \
+	    --out out/results || exit 1; \
 	done
 	$(BIN)/heli-results --plant fleet --rig fleet --methods out/train/runs/fleet.fleet/$(METHOD)-initialised \
 	  --against feedforward+tvlqr --policies $(ON_FLEET) --out out/results
