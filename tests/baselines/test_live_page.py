@@ -309,6 +309,40 @@ def test_the_flights_are_saved_as_numbers_and_as_a_picture_and_the_numbers_can_b
     assert seen["duration"]
 
 
+def test_a_corrected_record_of_the_same_name_and_length_is_flown_anew():
+    record = "t,travel_deg,elevation_deg,pitch_deg,u_front,u_back\n" + "".join(
+        f"{0.1 * k},{{}},0,0,1,1\n" for k in range(5)
+    )
+    travel = in_node(
+        """texts.map((text) => heli.parseLog(text, "record.csv", live.control_period / 2))
+          .map((log) => heli.Experiment.make(heli.initialSetup(live, live.rigs[0]), live, log).reference.x[0][0])""",
+        texts=[record.format(*5 * [degrees]) for degrees in (0.0, 90.0)],
+        live=demo.live_data(),
+    )
+    np.testing.assert_allclose(travel, [0.0, np.pi / 2], atol=1e-12)
+
+
+def test_the_same_file_can_be_chosen_again(page):
+    script = """
+        await page.locator("#log").setInputFiles(FILE);
+        await page.waitForFunction(() => document.querySelector("aside").textContent.includes("must have a column"));
+        return page.locator("#log").inputValue();
+    """
+    file = '{name: "record.csv", mimeType: "text/csv", buffer: Buffer.from("t,travel\\n0,1\\n1,2\\n")}'
+    assert drive(page, script.replace("FILE", file)) == ""  # the browser reports a change whatever is chosen next
+
+
+def test_the_link_is_shown_where_there_is_no_clipboard(page):
+    script = """
+        await page.evaluate(() => Object.defineProperty(navigator, "clipboard", {value: undefined}));
+        await page.locator("button", {hasText: "copy link"}).click();
+        await drawn();
+        return [await page.locator("fieldset", {hasText: "Files"}).locator("[role=status]").textContent(), page.url()];
+    """
+    note, address = drive(page, script)
+    assert note == address
+
+
 # Hands and keys
 
 
@@ -355,6 +389,33 @@ def test_dragging_a_body_pushes_it_and_dragging_elsewhere_turns_the_view(page):
     assert seen["released"] == 0
     assert abs(seen["before"]) < 0.5
     assert seen["during"] - seen["before"] > 2.0
+
+
+def test_a_finger_that_drags_a_body_up_pushes_it_and_does_not_scroll(page):
+    script = """
+        await page.addStyleTag({content: ".live .view { height: 300px !important }"});
+        const session = await page.context().newCDPSession(page);
+        const touch = (type, ...touchPoints) => session.send("Input.dispatchTouchEvent", {type, touchPoints});
+        await session.send("Emulation.setTouchEmulationEnabled", {enabled: true});
+        await drawn();
+        const stage = await page.locator(".stage").boundingBox();
+        const isHeld = async () => (await page.locator(".stage.pushing").count()) > 0;
+        let held = false;
+        for (let right = 0.3; right < 0.75 && !held; right += 0.1) {
+          for (let down = 0.25; down < 0.7 && !held; down += 0.15) {
+            const [x, y] = [stage.x + right * stage.width, stage.y + 300 * down];
+            await touch("touchStart", {x, y});
+            held = await isHeld();
+            for (let up = 20; held && up <= 100; up += 20) await touch("touchMove", {x, y: y - up});
+            await drawn();
+            if (held) return [await isHeld(), await page.evaluate(() => scrollY)];
+            await touch("touchEnd");
+          }
+        }
+        return "found no body";
+    """
+    seen = in_browser(page, STILL + HELP + script, PHONE)
+    assert seen == [True, 0]
 
 
 def test_plots_and_the_3d_view_are_used_by_keyboard_and_described_in_words(page):

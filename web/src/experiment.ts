@@ -191,6 +191,15 @@ interface Planned {
 }
 const planned = new Map<string, Planned>();
 
+const numbers = new WeakMap<Log, number>();
+let opened = 0;
+
+/** A number of its own for each log: a corrected file may have the name and the length of the one before. */
+function numberOf(log: Log): number {
+  if (!numbers.has(log)) numbers.set(log, opened++);
+  return numbers.get(log)!;
+}
+
 /** The paper's weights, each multiplied by the reader's power of ten. */
 export function weightsOf({ weights }: Setup, rig: RigData, goal: Pair): Weights {
   const scales = [weights.travel, weights.travel, weights.elevation, weights.elevation, weights.pitch, weights.pitch].map((power) => 10 ** power);
@@ -202,7 +211,7 @@ export function weightsOf({ weights }: Setup, rig: RigData, goal: Pair): Weights
 function planFor(setup: Setup, data: LiveData, rig: RigData, log: Log | null): Planned | null {
   const stored = log ? null : storedPlan(setup, data);
   if (!log && stored === null) return null;
-  const key = JSON.stringify([rig.name, setup.method, setup.duration, setup.pitchLimit, setup.window, setup.weights, log?.name, log?.x.length]);
+  const key = JSON.stringify([rig.name, setup.method, setup.duration, setup.pitchLimit, setup.window, setup.weights, log && numberOf(log)]);
   const known = planned.get(key);
   if (known) return known;
   const limits = limitsOf(setup);

@@ -211,13 +211,17 @@ export function showLive(data: LiveData, main: HTMLElement): void {
 
   const fileNote = make("p", { class: "small", role: "status" });
   const fileInput = make("input", { type: "file", accept: ".csv,text/csv", id: "log", class: "hidden-file" });
-  fileInput.addEventListener("change", () => fileInput.files?.[0] && openLog(fileInput.files[0]));
+  fileInput.addEventListener("change", () => {
+    if (fileInput.files?.[0]) openLog(fileInput.files[0]);
+    fileInput.value = ""; // or the browser would report no change when the same file is chosen again
+  });
   const dropLog = make("button", { hidden: true, click: () => {
     log = null;
     apply();
   } }, "back to the plan");
   const linkButton = make("button", { click: async () => {
-    await navigator.clipboard?.writeText(location.href).then(() => (fileNote.textContent = "The address of this flight is in the clipboard."), () => (fileNote.textContent = location.href));
+    // There is no clipboard on pages that came by plain http.
+    await (navigator.clipboard?.writeText(location.href) ?? Promise.reject()).then(() => (fileNote.textContent = "The address of this flight is in the clipboard."), () => (fileNote.textContent = location.href));
   } }, "copy link");
   const csvButton = make("button", { id: "csv", click: () => {
     const flown = data.policies.flatMap(({ name }, i): [string, Flight][] => (flights[i] ? [[name, flights[i]]] : []));

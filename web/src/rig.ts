@@ -231,6 +231,14 @@ export class Stage {
     const surface = this.canvas.parentElement!;
     this.resized.observe(surface);
     let held: { x: number; y: number } | null = null;
+    // A finger on a body pushes it up and down too; elsewhere it scrolls the page.
+    surface.addEventListener(
+      "touchstart",
+      (event) => {
+        if (this.onBodyDrag && event.touches.length === 1 && this.hitsBody(event.touches[0])) event.preventDefault();
+      },
+      { passive: false },
+    );
     surface.addEventListener("pointerdown", (event) => {
       if (!this.onBodyDrag || !this.hitsBody(event)) return;
       held = { x: event.clientX, y: event.clientY };
@@ -252,7 +260,7 @@ export class Stage {
   }
 
   /** Whether a pointer is near the body of a helicopter, as drawn last. */
-  private hitsBody({ clientX, clientY }: PointerEvent): boolean {
+  private hitsBody({ clientX, clientY }: { clientX: number; clientY: number }): boolean {
     const frame = this.canvas.getBoundingClientRect();
     return [...this.centres.values()].some(([x, y]) => Math.hypot(clientX - frame.left - x, clientY - frame.top - y) < BODY_REACH);
   }
