@@ -222,7 +222,7 @@ def improvement_over(flown: dict[int, dict[str, Any]], others: dict[int, dict[st
 def print_step_times(policy: str, flights: int = 10) -> None:
     """Print median, 99th percentile and worst processor time of a policy's control step, first flights not counted."""
     env = Heli3DOFEnv(**env_settings(Condition("lab", MANEUVER), SETTINGS))
-    pilot = pilot_for(policy, Condition("lab", MANEUVER), SETTINGS.control_period)
+    pilot = pilot_for(policy, Condition("lab", MANEUVER), SETTINGS.control_period, SETTINGS.rig)
     steps, firsts = [], []
     for flight in range(-1, flights):
         _, info = env.reset(seed=1 + flight)

@@ -20,6 +20,7 @@ from heli_gym.cli import command, print_version
 from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.model import fan_thrusts, hover_input, inverse_dynamics, linearise, thrust_vector
 from heli_gym.parameters import HelicopterParameters
+from heli_gym.plant import NOMINAL_RIGS
 from heli_gym.rendering import has_display, load_pygame
 from heli_gym.rig import PAPER, Rig
 from heli_gym.task import TOLERANCE
@@ -157,17 +158,18 @@ def run(arguments: list[str]) -> None:
     """Parse the arguments and fly."""
     parser = Parser(prog="heli-play", allow_abbrev=False, description=__doc__.partition("\n\n")[2])
     parser.add_argument("--assist", action="store_true", help="let the paper's feedback help")
-    parser.add_argument("--plant", default="nominal", help="nominal, lab or rigid (default: %(default)s)")
+    parser.add_argument("--plant", default="nominal", help="nominal, lab, rigid or fleet (default: %(default)s)")
     parser.add_argument("--reference", default="travel-360", help="name or .npz file (default: %(default)s)")
-    parser.add_argument("--rig", default="paper", help="name or .toml file (default: %(default)s)")
+    parser.add_argument("--rig", help="name or .toml file (default: the plant's)")
     parser.add_argument("--force", action="store_true", help="fly a plan that is for another rig")
     parser.add_argument("--seed", type=int, help="of the first episode (default: none)")
     print_version("heli-play", arguments)
     args = parser.parse_args(arguments)
     if args.seed is not None and args.seed < 0:
         raise ValueError(f"seed = {args.seed}: must be at least 0")
+    rig = args.rig or NOMINAL_RIGS.get(args.plant, PAPER.name)
     env: gym.Env = Heli3DOFEnv(
-        args.plant, reference_for(args.reference, args.rig, args.force), rig=args.rig, render_mode="rgb_array"
+        args.plant, reference_for(args.reference, rig, args.force), rig=rig, render_mode="rgb_array"
     )
     fly(Assist(env) if args.assist else env, args.seed)
 

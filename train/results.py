@@ -24,6 +24,7 @@ from heli_gym import __version__
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.weights import weights_file
+from heli_gym.baselines.evaluation.conditions import rig_of
 from heli_gym.baselines.evaluation.engine import check_engine, open_engine, progress_bar
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
@@ -60,7 +61,7 @@ class Args:
     )  # names; @PLANT: with weights tuned for the plant, if stored
     against: str = "feedforward+tvlqr@PLANT"  # policy to compare the others with
     reference: str = "travel-360"
-    rig: str = "paper"  # rig: a name, or a .toml file
+    rig: str | None = None  # rig, a name or a .toml file; by default the plant's
     force: bool = False  # fly a plan even if it is for another rig
     episodes: int = 100  # number of draws
     seed: int = HELD_OUT_SEED  # seed of the first draw, then counting up
@@ -68,15 +69,20 @@ class Args:
     workers: int = 1  # processes for the oracle
     out: Path = Path("out/results")
 
+    @property
+    def nominal_rig(self) -> str:
+        """Name or file of the rig."""
+        return self.rig or rig_of(self.plant)
+
 
 def policies(args: Args) -> tuple[str, ...]:
     """Names of the classical policies."""
-    return tuple(dict.fromkeys(tuned_for(args.plant, name, args.rig) for name in args.policies))
+    return tuple(dict.fromkeys(tuned_for(args.plant, name, args.nominal_rig) for name in args.policies))
 
 
 def against(args: Args) -> str:
     """Name of the policy to compare the others with."""
-    return tuned_for(args.plant, args.against, args.rig)
+    return tuned_for(args.plant, args.against, args.nominal_rig)
 
 
 def tuned_for(plant: str, name: str, rig: str = "paper") -> str:
@@ -154,11 +160,11 @@ def oracle_metrics(args: Args, reference: Trajectory, console: Console) -> np.nd
         "version": __version__,
         "plant": args.plant,
         "reference_sha256": sha256(samples).hexdigest(),
-        "rig_sha256": sha256(find_rig(args.rig).to_toml().encode()).hexdigest(),
+        "rig_sha256": sha256(find_rig(args.nominal_rig).to_toml().encode()).hexdigest(),
     }
     flights = stored_flights(path, settings)
     seeds = range(args.seed, args.seed + args.oracle)
-    task = args.plant, args.reference, args.rig, args.force
+    task = args.plant, args.reference, args.nominal_rig, args.force
     missing = [OracleFlight(*task, seed) for seed in seeds if str(seed) not in flights]
     with open_engine(workers=args.workers) as engine, progress_bar(console) as progress:
         bar = progress.add_task("the oracle", total=len(missing))
@@ -192,8 +198,10 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
     check_engine("local", args.workers)
     if against(args) not in policies(args):
         raise ValueError(f"against = {args.against!r}: must be one of policies = {policies(args)}")
-    reference = reference_for(args.reference, args.rig, args.force)
-    envs = Heli3DOFVectorEnv(args.episodes, args.plant, reference, start_spread_deg=START_SPREAD_DEG, rig=args.rig)
+    reference = reference_for(args.reference, args.nominal_rig, args.force)
+    envs = Heli3DOFVectorEnv(
+        args.episodes, args.plant, reference, start_spread_deg=START_SPREAD_DEG, rig=args.nominal_rig
+    )
     names = {name: [name] for name in policies(args)}
     for method in args.methods:
         found = sorted(method.glob("*/best.json"), key=lambda path: path.parent.name)
@@ -208,7 +216,7 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         (label, make_policy(name, reference, envs.control_period)) for label, group in names.items() for name in group
     ]
     if args.oracle:
-        oracle_on(args.plant, args.reference, args.rig, args.force)
+        oracle_on(args.plant, args.reference, args.nominal_rig, args.force)
     results: dict[str, list[np.ndarray]] = {label: [] for label in names}
     for label, policy in track(jobs, "flying", console=console):
         results[label].append(policy_metrics(envs, policy, args.seed))

@@ -9,6 +9,7 @@ import gymnasium as gym
 import numpy as np
 
 from heli_gym.baselines.control.policies import make_policy
+from heli_gym.baselines.evaluation.conditions import rig_of
 from heli_gym.baselines.evaluation.rollout import fly
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import Heli3DOFEnv, reference_for
@@ -28,9 +29,9 @@ class Args:
 
     policies: tuple[str, ...] = ("feedforward+tvlqr", "residual")
     """policies, from left to right; on another rig than the paper's, kalman-lqr replaces residual by default"""
-    plant: str = "lab"  # plant to fly: nominal, lab or rigid
+    plant: str = "lab"  # plant to fly: nominal, lab, rigid or fleet
     reference: str = "travel-360"  # a packaged reference, or an .npz file of heli-plan
-    rig: str = "paper"  # rig: a name, or a .toml file
+    rig: str | None = None  # rig, a name or a .toml file; by default the plant's
     force: bool = False  # fly a plan even if it is for another rig
     seed: int = HELD_OUT_SEED  # seed of the episode
     width: int = 440  # width of each picture in pixels, a multiple of 8
@@ -123,7 +124,8 @@ def run(args: Args) -> None:
     delay(args.frame_time)
     check_folder("out", args.out.parent)
     Renderer(args.width)
-    env = Heli3DOFEnv(args.plant, reference_for(args.reference, args.rig, args.force), rig=args.rig)
+    rig = args.rig or rig_of(args.plant)
+    env = Heli3DOFEnv(args.plant, reference_for(args.reference, rig, args.force), rig=rig)
     names = args.policies
     if names == Args.policies and not same_dynamics(env.rig, PAPER):  # which the network was not trained for
         names = ("feedforward+tvlqr", "kalman-lqr")

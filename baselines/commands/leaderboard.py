@@ -246,7 +246,8 @@ def write_flights(
     for name in ("worst", "median"):
         seed = entries[0][f"{name}_seed"]
         envs.reset(seed=seed)
-        flights = {p: fly(env, pilot_for(p, condition, settings.control_period), seed=seed) for p in chosen}
+        pilots = {p: pilot_for(p, condition, settings.control_period, settings.rig) for p in chosen}
+        flights = {p: fly(env, pilot, seed=seed) for p, pilot in pilots.items()}
         label = f"{name} draw of {entries[0]['label']}, seed {seed}"
         shown.append(Shown(label, flights, describe_draw(env.plant, envs.plant_of(0))))
     names = columns_of(table)

@@ -29,6 +29,7 @@ from heli_gym.baselines.control.discrete_lqr import Weights
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.weights import WEIGHTS, store_weights, stored
+from heli_gym.baselines.evaluation.conditions import rig_of
 from heli_gym.baselines.evaluation.engine import EngineName, check_engine, in_order, open_engine
 from heli_gym.baselines.evaluation.metrics import crash_cost, tracking_reward
 from heli_gym.cli import command, parse
@@ -89,7 +90,7 @@ class Args:
     study: Path | None = None  # file for all candidates and their returns
     store: bool = False  # store the weights for the (single) plant
     reference: str = "travel-360"  # a packaged reference, or an .npz file of heli-plan
-    rig: str = "paper"  # rig of plants and weights: a name, or a .toml file
+    rig: str | None = None  # rig of plants and weights, a name or a .toml file; by default the plants'
     force: bool = False  # fly a plan even if it is for another rig
     draws: int = 32  # helicopters of each plant per candidate
     candidates: int = 600  # number of candidates, for any number of weights
@@ -186,6 +187,8 @@ def check(args: Args) -> None:
         raise ValueError(f"plants = {args.plants}: must be a single one with store")
     if not args.plants:
         raise ValueError("plants = (): must name at least one")
+    if args.rig is None and len(set(map(rig_of, args.plants))) > 1:
+        raise ValueError(f"plants = {args.plants}: must fly one rig, or rig must name it")
     if args.store and args.plants[0] not in PLANTS:
         raise ValueError(f"plant = {args.plants[0]!r}: must be one of {', '.join(map(repr, PLANTS))}")
     for name, least in (("draws", 1), ("population", 5), ("candidates", args.population)):
@@ -212,8 +215,9 @@ def run(args: Args) -> None:
     """Search, then store and print the best weights and their returns; an interrupt prints the best so far."""
     check(args)
     console = Console()
-    rig = find_rig(args.rig)
-    setting = Setting(args.policy, tuple(args.plants), args.objective, args.reference, args.rig, args.force, args.draws)
+    name = args.rig or rig_of(args.plants[0])
+    rig = find_rig(name)
+    setting = Setting(args.policy, tuple(args.plants), args.objective, args.reference, name, args.force, args.draws)
     helicopters(setting.plants, setting.reference, setting.rig, setting.force, setting.draws)  # errors appear here
     in_use = WEIGHTS[args.policy]
     candidates: list[list[float]] = []  # return and decimal logarithms of each
@@ -320,7 +324,7 @@ def write_study(
         "policy": args.policy,
         "plants": args.plants,
         "reference": args.reference,
-        "rig": args.rig,
+        "rig": args.rig or rig_of(args.plants[0]),
         "objective": args.objective,
         "method": args.method,
         "seed": args.seed,

@@ -79,7 +79,7 @@ def policy_on(name: str, plant: str, rig: str = "") -> str:
     if kind == name:
         return name
     plant = plant.removesuffix(OUTSIDE)
-    path = weights_file(plant, find_rig(rig or "paper"))
+    path = weights_file(plant, find_rig(rig or rig_of(plant)))
     stored = kind in WEIGHTS and path.is_file() and kind in read_json_object(path)
     return f"{kind}@{plant}{suffix}" if stored else kind + suffix
 
@@ -102,7 +102,7 @@ def batches(policies: Sequence[str], conditions: Sequence[Condition], settings: 
 
 
 @lru_cache(maxsize=64)
-def pilot_for(policy: str, condition: Condition, control_period: float, rig: str = "") -> Any:
+def pilot_for(policy: str, condition: Condition, control_period: float, rig: str) -> Any:
     """Pilot for a policy and a condition, made once in each process."""
     settings = Settings(0, 1, 1, control_period, 0.0, rig)
     env = Heli3DOFEnv(**env_settings(condition, settings))

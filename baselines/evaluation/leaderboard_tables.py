@@ -2,6 +2,7 @@
 
 import html
 import platform
+import shlex
 from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
+from heli_gym.baselines.evaluation.conditions import rig_of
 from heli_gym.baselines.evaluation.leaderboard import Condition, Settings
 from heli_gym.rig import find_rig
 
@@ -133,14 +135,26 @@ def page(tables: Sequence[dict[str, Any]], settings: Settings, pages: bool) -> s
         parts.append("</tbody></table></div><details><summary>Single flights</summary><ul>")
         for entry in table["policies"]:
             for name in ("median", "worst"):
-                order = (
-                    f"heli-evaluate --policies {entry['policy']} --plant {table['plant']} --episodes 1 --no-figures "
-                    f"--reference {table['reference']} --seed {entry[f'{name}_seed']} --report flight.html"
-                )
-                order += f" --rig {settings.rig}" if settings.rig else ""
+                order = flight_order(entry["policy"], condition, entry[f"{name}_seed"], settings)
                 parts.append(f"<li>{name} of {escape(entry['label'])}: <code>{escape(order)}</code></li>")
         parts.append("</ul></details>")
     return "".join((*parts, "</body></html>\n"))
+
+
+def flight_order(policy: str, condition: Condition, seed: int, settings: Settings) -> str:
+    """Command that flies one flight of the leaderboard and writes its page."""
+    arguments = {
+        "policies": policy,
+        "plant": condition.plant,
+        "rig": settings.rig or rig_of(condition.plant),
+        "reference": condition.reference,
+        "episodes": 1,
+        "seed": seed,
+        "control-period": settings.control_period,
+        "start-spread-deg": settings.start_spread_deg,
+        "report": "flight.html",
+    }
+    return shlex.join(["heli-evaluate", "--no-figures", *(f"--{name}={value}" for name, value in arguments.items())])
 
 
 def page_name(condition: Condition) -> str:

@@ -4,16 +4,20 @@ import csv
 import json
 import os
 import re
+import shlex
 import signal
 import subprocess
 import sys
 import time
 from html import unescape
+from pathlib import Path
 
 import numpy as np
 import pytest
+import tyro
 
 from heli_gym.baselines import evaluate
+from heli_gym.baselines.commands import evaluate as evaluate_command
 from heli_gym.baselines.commands import leaderboard as command
 from heli_gym.baselines.commands.leaderboard import Args
 from heli_gym.baselines.evaluation import leaderboard
@@ -21,6 +25,7 @@ from heli_gym.baselines.evaluation.conditions import COULOMB, find_condition
 from heli_gym.baselines.evaluation.engine import open_engine
 from heli_gym.baselines.evaluation.labels import LABELS, colours_of, label_of
 from heli_gym.baselines.evaluation.leaderboard import Condition, Ledger, Settings, batches, fly_all, standings
+from heli_gym.baselines.evaluation.leaderboard_tables import flight_order
 from heli_gym.baselines.evaluation.statistics import interquartile_mean
 from heli_gym.plant import PLANTS, RotorFault
 from heli_gym.rig import find_rig
@@ -60,9 +65,9 @@ def test_there_is_one_row_for_every_flight_and_it_is_the_flight_of_its_seed(flow
     )
     alone = evaluate("feedforward+tvlqr", "lab", episodes=6, reference="climb-7.5", seed=5)
     found = [
-        float(row["rms_travel_deg"]) for row in rows if names[0][1] == "lab" and row["policy"] == "feedforward+tvlqr"
+        float(row["rms_travel_deg"]) for row in rows if (row["plant"], row["policy"]) == ("lab", "feedforward+tvlqr")
     ]
-    np.testing.assert_allclose(found[:6], alone.column("rms_travel_deg"), rtol=1e-6)
+    np.testing.assert_allclose(found, alone.column("rms_travel_deg"), rtol=1e-6)
 
 
 def test_the_parquet_file_holds_the_same_rows(flown):
@@ -325,6 +330,25 @@ def test_on_the_fleet_the_maneuver_is_planned_for_its_rig_and_networks_for_anoth
     assert leaderboard.env_settings(condition, SETTINGS)["reference"].rig.name == "fleet"
 
 
+def test_the_order_of_a_single_flight_is_a_command_that_flies_it_as_the_leaderboard_does():
+    settings = Settings(seed=5, episodes=6, batch=2, control_period=0.04, start_spread_deg=2.0)
+    program, *arguments = shlex.split(flight_order("kalman-lqr", Condition("fleet", "climb-7.5"), 7, settings))
+    args = tyro.cli(evaluate_command.Args, args=arguments)
+    assert program == "heli-evaluate"
+    assert args == evaluate_command.Args(
+        policies=("kalman-lqr",),
+        plant="fleet",
+        rig="fleet",
+        reference="climb-7.5",
+        episodes=1,
+        seed=7,
+        control_period=0.04,
+        start_spread_deg=2.0,
+        figures=False,
+        report=Path("flight.html"),
+    )
+
+
 def test_outside_the_family_friction_is_added_to_the_plants_own():
     for name in ("lab", "fleet"):
         inside, outside = find_condition(name).friction.coulomb, find_condition(f"{name}+outside").friction.coulomb
@@ -339,8 +363,9 @@ def test_another_rig_flies_its_own_reference_leaves_networks_and_the_fleet_out_a
     path = tmp_path / "mine.toml"
     find_rig("ntnu").save(path)
     small = {**SMALL, "policies": ("feedforward+tvlqr@PLANT", "residual"), "episodes": 2, "outside": False}
-    small |= {"plants": ("lab", "fleet"), "rig": str(path), "out": tmp_path / "out", "pages": False}
+    small |= {"plants": ("lab", "fleet"), "rig": str(path), "out": tmp_path / "out"}
     command.main(Args(**small))
+    assert list((tmp_path / "out" / "pages").glob("lab-*.html"))
     assert "residual is left out on lab" in capsys.readouterr().out
     rows = read(tmp_path / "out")
     assert {(row["policy"], row["plant"]) for row in rows} == {("feedforward+tvlqr", "lab")}

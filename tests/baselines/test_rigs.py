@@ -5,10 +5,12 @@ import math
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from rich.console import Console
 from scipy.integrate import solve_ivp
 
 from heli_gym import Limits, Maneuver, PowerCurve, Rig, TableCurve, ThrustMap, Trajectory, dynamics, find_rig
 from heli_gym.baselines import ManeuverSampler, make_policy, plan, riccati_gains
+from heli_gym.baselines import evaluate as score
 from heli_gym.baselines.commands import evaluate, plan_maneuver
 from heli_gym.cli import CommandError
 from heli_gym.model import virtual_input
@@ -105,6 +107,15 @@ def test_the_commands_plan_for_a_rig_and_refuse_its_plan_on_another(tmp_path, ca
     evaluate.main(evaluate.Args(**settings, rig="ntnu", out=tmp_path / "out"))
     assert "of the rig ntnu" in capsys.readouterr().out
     evaluate.main(evaluate.Args(**settings, force=True, out=tmp_path / "forced"))
+
+
+def test_commands_fly_the_fleet_on_its_own_rig_unless_another_is_named(tmp_path):
+    settings = {"policies": ("open-loop",), "plant": "fleet", "reference": "climb-7.5", "episodes": 2}
+    settings |= {"figures": False, "seed": 5}
+    args = evaluate.Args(**settings, out=tmp_path / "out")
+    flights = evaluate.evaluate(args, Console(quiet=True))
+    alone = score("open-loop", "fleet", 2, "climb-7.5", seed=5)
+    assert [f.metrics.rms_error_deg[0] for f in flights] == pytest.approx(alone.column("rms_travel_deg"), rel=1e-6)
 
 
 def test_limits_of_a_rig_bound_the_plans(tmp_path, capsys):
