@@ -30,6 +30,7 @@ from heli_gym.trajectory import Sampler, Trajectory
 from heli_gym.validation import is_number, real_array, shown
 
 ONLY = np.zeros(1, int)  # index of the only helicopter of its simulation
+AT_THE_START = np.zeros(1)  # s, its time there
 STATE, MEASUREMENT, VOLTAGE = (
     slice(X, X + 6),
     slice(MEASURED, MEASURED + 6),
@@ -185,7 +186,7 @@ class Heli3DOFEnv(gym.Env):
     The start of the reference, at rest except for `elevation-sine`. With `start_spread_deg`, each of the three angles
     is drawn uniformly within that distance of it, and the pitch within its limit. With `random_start`, the episode
     starts at a random time of the maneuver, in the reference's state there, and flies the rest of the maneuver.
-    `reset(options={"state": x})` starts at the state x (6,), within 1 rad and 1 rad/s of the reference's start;
+    `reset(options={"state": x})` starts the maneuver in the state x (6,), within 1 rad and 1 rad/s of its start;
     `reset(options={"plant": plant})` flies another plant in this episode.
 
     ## Episode End
@@ -287,7 +288,7 @@ class Heli3DOFEnv(gym.Env):
         with undone_on_error(simulation, [generator]):
             state = self._start(options["state"], simulation.draw(0, generator))
         self._np_random, self._np_random_seed = generator, own_seed
-        simulation.reset(ONLY, state)
+        simulation.reset(ONLY, state, None if state is None else AT_THE_START)
         self.drawn_plant = simulation.drawn_plant(0)
         self.simulation, self.memory = simulation, simulation.memory
         self.step_one = one_step(simulation.rhs, simulation.fly)

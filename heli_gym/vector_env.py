@@ -26,7 +26,7 @@ from heli_gym.env import (
 from heli_gym.on_rig import plant_on_rig, reference_on_rig, rig_to_fly
 from heli_gym.plant import Plant, find_plant
 from heli_gym.rendering import Renderer
-from heli_gym.rig import Rig
+from heli_gym.rig import Rig, same_dynamics
 from heli_gym.simulation.kernels import NOT_FINITE
 from heli_gym.simulation.layout import COMMAND, COST, MEASURED, REWARD, SUCCEEDED, TERMINATED, TIME, TRUNCATED, X
 from heli_gym.simulation.simulation import Simulation
@@ -112,6 +112,13 @@ class Heli3DOFVectorEnv(VectorEnv):
         each = [singles[id(p), id(r)] for p, r in zip(plants, references)]
         plants, references = [env.plant for env in each], [env.source for env in each]
         single = each[0]
+        for i, own in enumerate(each):
+            limits = [(one.voltage_limits, one.pitch_limit) for one in (own, single)]
+            if not same_dynamics(own.rig, single.rig) or limits[0] != limits[1]:
+                raise ValueError(
+                    f"plant, reference: the helicopters 0 and {i} have the rigs {single.rig.name!r} and "
+                    f"{own.rig.name!r}: must be one, as their actions, limits and rewards are"
+                )
         self.rig = single.rig
         self.control_period, self.pitch_limit = single.control_period, single.pitch_limit
         self.voltage_limits = single.voltage_limits
@@ -148,7 +155,7 @@ class Heli3DOFVectorEnv(VectorEnv):
             seed: seed of the first helicopter, with consecutive seeds for the others, or a sequence of seeds.
             options: "state" (6,) or (N, 6), with NaN rows for default starts, and "plant", one for all or a sequence of
                 N, as for `Heli3DOFEnv.reset`; "time" (N,) in s, the starting times of only these flights on their
-                references; "reset_mask" (N,), bool, selects the helicopters.
+                references, to which a given state must be near; "reset_mask" (N,), bool, selects the helicopters.
 
         Raises:
             ValueError: for an invalid seed or option; the environment is then unchanged.
@@ -174,7 +181,9 @@ class Heli3DOFVectorEnv(VectorEnv):
         # Only a given state or a sampled reference can turn out to be invalid after the draw.
         refusable = known["state"] is not None or not all(isinstance(one, Trajectory) for one in self.references)
         with undone_on_error(simulation, generators if refusable and not fresh else []):
-            starts = [simulation.draw(i, generator).x[:, 0] for i, generator in zip(chosen, generators)]
+            drawn = [simulation.draw(i, generator) for i, generator in zip(chosen, generators)]
+            begin = np.zeros(self.num_envs) if times is None else times
+            starts = [] if known["state"] is None else [one(begin[i])[0] for i, one in zip(chosen, drawn)]
             states = self._states(known["state"], helicopters, np.array(starts))
         for i, (generator, own_seed) in fresh.items():
             self.generators[i], self.seeds[i] = generator, own_seed
@@ -182,8 +191,8 @@ class Heli3DOFVectorEnv(VectorEnv):
             simulation.reset(helicopters, None, times)
         else:
             given = ~np.isnan(states[helicopters, 0])
-            for part, values in ((helicopters[given], states), (helicopters[~given], None)):
-                simulation.reset(part, values, times)
+            for part, values, at in ((helicopters[given], states, begin), (helicopters[~given], None, times)):
+                simulation.reset(part, values, at)
         self.simulation = simulation
         if not self.has_begun or mask.all():
             self.over = np.zeros(self.num_envs, bool)
@@ -362,7 +371,7 @@ class Heli3DOFVectorEnv(VectorEnv):
         near = (np.abs(own - starts) <= np.array(task.FARTHEST_START)).all()
         if not near or task.crashed(own[:, 4], self.pitch_limit).any():
             raise ValueError(
-                f"options['state'] = {shown(value)}: must be within 1 rad and 1 rad/s of the references' starts, "
+                f"options['state'] = {shown(value)}: must be within 1 rad and 1 rad/s of the references at the start, "
                 f"and the pitch within {self.pitch_limit:g} rad"
             )
         return states

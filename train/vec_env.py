@@ -34,6 +34,11 @@ DRAWN = (
 )
 
 
+def plant_features(envs: Heli3DOFVectorEnv) -> np.ndarray:
+    """Normalised draws (len(DRAWN), N) of the plants of `lab` or `rigid`, around zero and of order one."""
+    return np.array([(envs.simulation.rows(row, 1)[0] - middle) / scale for row, middle, scale in DRAWN])
+
+
 # Attributes of `Heli3DOFEnv` common to all helicopters of a vector environment.
 SHARED = (
     "control_period",
@@ -98,7 +103,8 @@ class HeliVecEnv(VecEnv):
         merged: dict[str, Any] = {}
         if self.spread:
             durations = np.array([reference.duration for reference in self.core.references])
-            merged["time"] = durations * np.arange(self.num_envs) / self.num_envs
+            is_given = [own.get("state") is not None for own in self._options]  # a state at the start
+            merged["time"] = np.where(is_given, 0.0, durations * np.arange(self.num_envs) / self.num_envs)
         defaults = {"state": [[math.nan] * 6] * self.num_envs, "plant": self.core.plants}
         defaults["time"] = merged.get("time", [0.0] * self.num_envs)
         for name in names:
@@ -261,13 +267,8 @@ class ResidualVecEnv(HeliVecEnv):
         self.policy.reset(np.random.default_rng(0))
         self.t, self.measurement = self.info["time"], self.info["measurement"].T
         self.u_base, features = self.policy.observe(self.t, self.measurement)
-        self.draws = self.plant_features()
+        self.draws = plant_features(self.core)
         return self.make_observations(features, self.info["state"].T, self.t)
-
-    def plant_features(self) -> np.ndarray:
-        """Normalised draws (len(DRAWN), N) of the plants, around zero and of order one."""
-        rows = [(self.core.simulation.rows(row, 1)[0] - middle) / scale for row, middle, scale in DRAWN]
-        return np.array(rows)
 
     def make_observations(self, features: np.ndarray, state: np.ndarray, time: np.ndarray) -> np.ndarray:
         """Observations (N, ...) from features (F, N), true states (6, N) and times (N,) in s."""
@@ -315,5 +316,5 @@ class ResidualVecEnv(HeliVecEnv):
         u_base[:, ended], features[:, ended] = self.policy.observe(self.t[ended], self.measurement[:, ended])
         self.policy.memory = assign_columns(memory, self.policy.memory, ended)
         self.u_base = u_base
-        self.draws = self.plant_features()
+        self.draws = plant_features(self.core)
         return self.make_observations(features, state, self.t), last

@@ -525,6 +525,16 @@ def test_the_integration_converges_with_order_four():
     assert_allclose(np.log2(np.divide(errors[:-1], errors[1:])), 4.0, atol=0.4)
 
 
+def test_a_given_state_starts_the_maneuver_even_where_starts_are_random():
+    env = Heli3DOFEnv(random_start=True)
+    start = env.reference.x[:, 0] + 0.1
+    for seed in range(3):
+        _, info = env.reset(seed=seed, options={"state": start})
+        assert info["time"] == 0.0
+        assert_array_equal(info["state"], start)
+    assert env.reset(seed=0)[1]["time"] > 0.0
+
+
 def test_a_flight_may_start_at_a_given_state():
     observation, info = Heli3DOFEnv(start_spread_deg=5.0).reset(seed=0, options={"state": CORNER})
     assert_array_equal(info["state"], CORNER)

@@ -333,6 +333,25 @@ def test_each_helicopter_may_have_a_state_of_its_own_or_none_and_a_plant_of_its_
         envs.reset(options={"state": [[0.0] * 5 + [np.nan]] * 3})
 
 
+def test_a_given_state_is_one_at_the_given_time_or_else_at_the_start():
+    envs = Heli3DOFVectorEnv(2, random_start=True)
+    reference, times = envs.reference_of(0), np.array([5.0, 2.0])
+    states = reference(times)[0].T + 0.1
+    _, info = envs.reset(seed=0, options={"state": states, "time": times})
+    assert_array_equal(info["state"], states)
+    assert_allclose(info["time"], times)
+    with pytest.raises(ValueError, match="at the start"):
+        envs.reset(options={"state": states})
+    _, info = envs.reset(seed=0, options={"state": np.array([reference.x[:, 0] + 0.1, [np.nan] * 6])})
+    assert info["time"][0] == 0.0 and info["time"][1] > 0.0
+
+
+@pytest.mark.parametrize("plants", [["lab", "fleet"], ["fleet", "lab"]])
+def test_helicopters_on_different_rigs_are_refused_because_they_share_an_amplifier(plants):
+    with pytest.raises(ValueError, match=r"rigs .*'fleet'.*must be one"):
+        Heli3DOFVectorEnv(2, plant=plants)
+
+
 @pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
 def test_flights_end_at_the_most_steps_of_an_episode_as_with_gymnasiums_time_limit(mode):
     n, rng = 3, np.random.default_rng(0)

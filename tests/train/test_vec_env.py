@@ -156,6 +156,15 @@ def test_wrappers_and_learners_of_stable_baselines_work_on_it():
     assert agent.observation_space.shape == (96,)
 
 
+def test_helicopters_spread_over_the_maneuver_begin_it_in_a_given_state():
+    vec = HeliVecEnv(gym.make_vec("Heli3DOF-v0", 4, autoreset_mode="SameStep"), spread=True)
+    start = vec.core.references[0].x[:, 0] + 0.1
+    vec.set_options([{}, {"state": start}, {}, {}])
+    vec.reset()
+    assert_array_equal(vec.info["state"][1], start)
+    assert vec.info["time"][1] == 0.0 and np.all(vec.info["time"][2:] > 0.0)
+
+
 def test_a_model_saved_on_one_plant_is_loaded_on_another_rig_plant_and_reference(tmp_path):
     PPO("MlpPolicy", gym.make("Heli3DOF-v0"), n_steps=16, batch_size=16, n_epochs=1, device="cpu").learn(16).save(
         tmp_path / "model.zip"
