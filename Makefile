@@ -57,7 +57,7 @@ build/types:
 ANY := out/train/runs/lab/$(METHOD)@lab-any-maneuver/0/best.json
 
 reproduce: $(VENV)/dev
-	@echo "54 training runs on the stored weights of the controllers, four tables; may be interrupted"
+	@echo "64 training runs on the stored weights of the controllers, four tables; may be interrupted"
 	@echo "some four hours of one idle core, half with WORKERS=2 on two; no machine has run it whole in one go"
 	for study in first-lab first-fleet; do \
 	  $(SWEEP) results/studies/$$study.toml --out out/first || exit 1; \

@@ -125,12 +125,13 @@ def run_trial(order: Order) -> dict[str, Any]:
         except (ValueError, ArithmeticError, RuntimeError) as error:
             return {"key": order.key, "run": order.folder, "values": order.values, "error": str(error)}
         for path in sorted(folder.rglob("*")):
-            if path.is_file() and "checkpoints" not in path.parts:
-                store.upload(path, f"{order.folder}/{path.relative_to(folder).as_posix()}")
-        own = record_of(order, args, folder)
-        store.write(record_name(order.key), (json.dumps(own, indent=1) + "\n").encode())
+            own = path.relative_to(folder)
+            if path.is_file() and "checkpoints" not in own.parts:
+                store.upload(path, f"{order.folder}/{own.as_posix()}")
+        finished = record_of(order, args, folder)
+        store.write(record_name(order.key), (json.dumps(finished, indent=1) + "\n").encode())
         checkpoints.remove()
-    return own
+    return finished
 
 
 def record_of(order: Order, args: train.CompleteArgs, folder: Path) -> dict[str, Any]:
@@ -300,6 +301,14 @@ class Board:
             self.console.print(self.progress.tasks[0].description, "trials:", record["run"], record.get("error", ""))
 
 
+def check_folders(trials: Sequence[Trial], records: dict[str, dict[str, Any]]) -> None:
+    """Raise ValueError if the folder of a trial without a record belongs to one of the records."""
+    taken = {record["run"] for record in records.values()}
+    for trial in trials:
+        if trial.key not in records and trial.folder in taken:
+            raise ValueError(f"out: {trial.folder} holds a trial with other settings; choose another folder")
+
+
 class Sweep:
     """A study in progress: its storage, engine, and records by key of their trials."""
 
@@ -309,10 +318,8 @@ class Sweep:
     def run(self, trials: Sequence[Trial], board: Board) -> None:
         """Run the trials that have no record yet."""
         missing = {trial.key: trial for trial in trials if trial.key not in self.records}
-        owners = {record["run"]: key for key, record in self.records.items()}
+        check_folders(trials, self.records)
         for trial in missing.values():
-            if trial.folder in owners:
-                raise ValueError(f"out: {trial.folder} holds a trial with other settings; choose another folder")
             board.chunks[trial.key] = train.chunks_of(trial.args)
         board.add_stored(len(trials) - len(missing))
         orders = [order_of(trial, self.store, self.checkpoint_seconds) for trial in missing.values()]
@@ -414,6 +421,8 @@ def run(args: Args) -> None:
         records = read_records(store)
         if not args.resume and (records or store.read("study.json") is not None):
             raise ValueError(f"out: {args.out} holds a study already; --resume goes on with it")
+        if not study.search:
+            check_folders(trials, records)
         store.write("study.json", study.to_json().encode())
         total = len(trials) * (study.search.trials if study.search else 1)
         try:

@@ -26,6 +26,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, Ti
 from stable_baselines3 import PPO, SAC, TD3
 from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.logger import configure
+from stable_baselines3.common.noise import NormalActionNoise
 from stable_baselines3.common.utils import set_random_seed
 
 from heli_gym.baselines.control.policies import POLICIES, make_policy
@@ -42,6 +43,7 @@ from heli_gym.baselines.control.residual import (
 )
 from heli_gym.baselines.control.residual.step import SINGLE_GROUPS
 from heli_gym.baselines.control.weights import weights_file
+from heli_gym.baselines.evaluation.conditions import rig_of
 from heli_gym.baselines.evaluation.metrics import HALVING_ERROR, Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many
 from heli_gym.baselines.planning.sampler import ManeuverSampler
@@ -86,7 +88,7 @@ class Args:
     objective: Literal["tracking", "environment"] = "tracking"  # travel, elevation and cost, or the full reward
     reference: str = "travel-360"  # or "drawn", for APG: random maneuvers, for a policy for any
     references: int = 32  # APG: number of drawn references
-    rig: str = "paper"  # rig of the training: a name, or a .toml file
+    rig: str | None = None  # rig of the training, a name or a .toml file; by default the plant's
     force: bool = False  # fly a plan even if it is for another rig
     seed: int = 0
     steps: int | None = None  # control periods of training, over all helicopters
@@ -103,7 +105,7 @@ class Args:
     after_crash: bool = False  # APG: the loss counts a crashed flight to the end of the maneuver
     gamma: float = 0.99  # discount per control period
     gae_lambda: float = 0.97  # PPO: advantage estimate; travel reacts to a voltage after a second
-    log_std: float = -2.7  # PPO: initial logarithm of the standard deviation of the exploration weights
+    log_std: float = -2.7  # initial logarithm of the exploration's standard deviation; PPO's is that of its weights
     hold: int = 32  # PPO: control periods with constant exploration weights
     rollout: int = 64  # PPO: control periods of each helicopter between two updates
     batch: int = 2048  # PPO: transitions in a gradient step
@@ -140,6 +142,7 @@ class CompleteArgs(Args):
     """Complete settings, from `with_defaults`."""
 
     scale: float = field(kw_only=True)
+    rig: str = field(kw_only=True)
     feature_groups: tuple[str, ...] = field(kw_only=True)
     steps: int = field(kw_only=True)
     envs: int = field(kw_only=True)
@@ -148,14 +151,15 @@ class CompleteArgs(Args):
 
 
 def with_defaults(args: Args) -> CompleteArgs:
-    """Settings completed with the learner's defaults and the name of the base."""
+    """Settings completed with the learner's defaults, the plant's rig and the name of the base."""
+    rig = args.rig or rig_of(args.plant)
     missing = {name: value for name, value in DEFAULTS[args.algo].items() if getattr(args, name) is None}
     if args.scale is None:
-        low, high = find_rig(args.rig).voltage_limits
+        low, high = find_rig(rig).voltage_limits
         missing["scale"] = 0.5 * (high - low) if args.mode == "scratch" else high - low
-    tuned = f"@{args.plant}" if weights_file(args.plant, find_rig(args.rig)).is_file() else ""
+    tuned = f"@{args.plant}" if weights_file(args.plant, find_rig(rig)).is_file() else ""
     base = SCRATCH if args.mode == "scratch" else args.base or f"feedforward+tvlqr{tuned}"
-    return CompleteArgs(**{**vars(args), "base": base, **missing})
+    return CompleteArgs(**{**vars(args), "rig": rig, "base": base, **missing})
 
 
 # Bounds of the settings: larger values would fill the memory, or overflow, minutes after the start.
@@ -344,8 +348,8 @@ def make_helicopters(args: CompleteArgs) -> list[Heli3DOFVectorEnv] | ResidualVe
     return ResidualVecEnv(envs, make_residual_policy(args, reference), args.objective, privileged=privileged)
 
 
-def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
-    """New agent with small initial actions: its last layer is near zero."""
+def make_agent(args: CompleteArgs, helicopters: Any, first: torch.nn.Module | None = None) -> APG | BaseAlgorithm:
+    """New agent with small initial actions: its last layer is near zero. `first` is an argument of APG."""
     if args.algo == "apg":
         agent = APG(
             [make_residual_policy(args, reference) for reference in references_of(args)],
@@ -359,6 +363,7 @@ def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
             after_crash=args.after_crash,
             memory=args.memory,
             seed=args.seed,
+            first=first,
         )
         if args.init:
             apg.set_network(agent.policy, load_learned(args.init)[1])
@@ -392,19 +397,23 @@ def make_agent(args: CompleteArgs, helicopters: Any) -> APG | BaseAlgorithm:
         kwargs = {**exploration, "lstm_hidden_size": args.cell}
         return RecurrentPPO(GruPolicy, helicopters, policy_kwargs=kwargs, **on_policy)
     # one gradient step per control period of all helicopters, with a large batch
-    off_policy = {"buffer_size": args.buffer, "batch_size": 1024, "train_freq": 1, "gradient_steps": 1}
+    off_policy: dict[str, Any] = {"buffer_size": args.buffer, "batch_size": 1024, "train_freq": 1, "gradient_steps": 1}
     env_kwargs: dict[str, Callable] = {"sac": SAC, "td3": TD3}
     if args.algo == "tqc":
         from sb3_contrib import TQC
 
         env_kwargs["tqc"] = TQC
+    if args.algo == "td3":  # its actor is deterministic
+        off_policy["action_noise"] = NormalActionNoise(np.zeros(2), np.full(2, np.exp(args.log_std)))
     agent = env_kwargs[args.algo](
         "MlpPolicy", helicopters, policy_kwargs=networks, learning_starts=0, **off_policy, **common
     )
     with torch.no_grad():
         last = agent.actor.mu if args.algo != "td3" else agent.actor.mu[-2]
         last.weight.mul_(0.01), last.bias.mul_(0.01)
-        if args.algo != "td3":
+        if args.algo == "td3":
+            agent.actor_target.load_state_dict(agent.actor.state_dict())
+        else:
             agent.actor.log_std.weight.mul_(0.01), agent.actor.log_std.bias.fill_(args.log_std)
     return agent
 

@@ -118,9 +118,11 @@ def test_a_finished_study_is_refused_and_resumed_without_a_trial(swept, monkeypa
 
 def test_other_settings_do_not_replace_a_trial(swept, tmp_path):
     path = study(tmp_path, SEEDS.replace("steps = 512", "steps = 256"))
+    begun = (swept / "out" / "study.json").read_bytes()
     with pytest.raises(SystemExit, match="/3 holds a trial with other settings") as end:
         sweep.main(args(path, swept / "out", resume=True))
     assert end.value.code == 2
+    assert (swept / "out" / "study.json").read_bytes() == begun
 
 
 def test_a_url_of_fsspec_holds_the_same_study(tmp_path, undisturbed):

@@ -106,6 +106,16 @@ def test_the_network_for_numpy_is_the_agents(algo):
     assert np.abs(actual).max() < 0.1  # the agent starts from the base policy
 
 
+def test_td3_explores_and_its_target_begins_as_the_actor():
+    vec = helicopters(privileged=False)
+    agent = make_agent(replace(SMALL, algo="td3", buffer=1000), vec)
+    assert_allclose(agent.action_noise()[0], 0.0, atol=6.0 * np.exp(SMALL.log_std))
+    assert np.any(agent.action_noise())
+    observations = torch.as_tensor(np.random.default_rng(0).uniform(-2, 2, (5, vec.observation_space.shape[0])))
+    with torch.no_grad():
+        assert torch.equal(agent.actor(observations.float()), agent.actor_target(observations.float()))
+
+
 def test_the_recurrent_network_for_numpy_is_that_of_recurrent_ppo_over_a_flight():
     vec = helicopters(n=3)
     agent = make_agent(replace(SMALL, algo="recurrent-ppo", cell=8), vec)
