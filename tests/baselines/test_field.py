@@ -2,11 +2,13 @@
 
 import csv
 import importlib.util
+import re
 from pathlib import Path
 
 from heli_gym.baselines.evaluation.leaderboard import policy_on
 
 ROOT = Path(__file__).parents[2]
+MANEUVER = "travel-360"
 
 
 def load_study():
@@ -27,3 +29,21 @@ def test_the_published_table_has_the_rows_and_draws_of_its_study():
     with open(ROOT / "results" / "leaderboard.csv", newline="", encoding="utf-8") as file:
         published = {(row["reference"], row["plant"], row["policy"]): int(row["draws"]) for row in csv.DictReader(file)}
     assert published == ordered
+
+
+def test_the_page_on_learning_has_the_rows_of_the_published_table():
+    with open(ROOT / "results" / "leaderboard.csv", newline="", encoding="utf-8") as file:
+        published = {(row["plant"], row["policy"]): row for row in csv.DictReader(file) if row["reference"] == MANEUVER}
+    page = (ROOT / "docs" / "learning.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (.+) \| `(.+)` \| (.+) \| (.+) \| (.+) \| (\d+ of \d+) \| (\d+) % \|$", page, re.MULTILINE)
+    names = {
+        "feedforward + TV-LQR, tuned": "feedforward+tvlqr@{}",
+        "Kalman LQR, tuned": "kalman-lqr@{}",
+        "adaptive MPC": "adaptive-mpc",
+    }
+    assert len(rows) == 16
+    for label, plant, *cells in rows:
+        learned = "residual" if plant.startswith("lab") else "residual-rigid"
+        row = published[plant, names.get(label, learned).format(plant.removesuffix("+outside"))]
+        errors = [f"{float(row[name]):.2f}" for name in ("rms_travel_deg", "rms_elevation_deg", "cost")]
+        assert cells == [*errors, f"{row['crashes']} of {row['draws']}", f"{100.0 * float(row['success']):.0f}"], label
