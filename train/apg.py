@@ -145,10 +145,16 @@ class FlightLoss(torch.autograd.Function):
 
     @staticmethod
     def forward(
-        ctx: Any, rollout: Rollout, batch: Batch, outcomes: list[Outcome], *tensors: torch.Tensor
+        ctx: Any,
+        rollout: Rollout,
+        batch: Batch,
+        outcomes: list[Outcome],
+        hidden: torch.Tensor | None,
+        *tensors: torch.Tensor,
     ) -> torch.Tensor:
-        """Fly the batch, append its outcome to `outcomes` and return the loss."""
-        outcome = rollout.forward(weights_of(tensors), batch)
+        """Fly the batch from first hidden states (H, LANES), append its outcome to `outcomes` and return the loss."""
+        first = None if hidden is None else hidden.detach().numpy()
+        outcome = rollout.forward(weights_of(tensors), batch._replace(hidden=first))
         outcomes.append(outcome)
         ctx.rollout, ctx.outcome = rollout, outcome
         return torch.tensor(rollout.loss(outcome))
@@ -159,8 +165,10 @@ class FlightLoss(torch.autograd.Function):
         g = ctx.rollout.backward(ctx.outcome)
         weight_input = np.empty((len(g.input_bias), g.seen.shape[1] + g.preview.shape[1]), np.float32)
         weight_input[:, FLIGHT_FEATURES], weight_input[:, time_features(weight_input.shape[1])] = g.seen, g.preview
-        arrays = weight_input, g.hidden, g.input_bias, g.hidden_bias, g.output, g.output_bias
-        return None, None, None, *(grad_outputs[0] * torch.from_numpy(array) for array in arrays)
+        d_hidden = ctx.rollout.d_hidden if ctx.needs_input_grad[3] else None
+        arrays = d_hidden, weight_input, g.hidden, g.input_bias, g.hidden_bias, g.output, g.output_bias
+        scale = grad_outputs[0]
+        return None, None, None, *(None if array is None else scale * torch.from_numpy(array) for array in arrays)
 
 
 def weights_of(tensors: Any) -> Weights:
@@ -281,6 +289,8 @@ class APG:
             its errors and its cost.
         memory: whether the cell remembers; without, only the last action, a feature, comes from the past.
         seed: of the initial weights and of the helicopters.
+        first: module that gives the first hidden states (H, `LANES`) of the flights that helicopters have drawn, and
+            learns too; by default they are zero. `save` does not keep it.
 
     Raises:
         ValueError: for a policy, plant or number of helicopters that the compiled flights do not support.
@@ -299,6 +309,7 @@ class APG:
         after_crash: bool = False,
         memory: bool = True,
         seed: int = 0,
+        first: torch.nn.Module | None = None,
     ) -> None:
         policies = [policy] if isinstance(policy, ResidualPolicy) else list(policy)
         fleets = [envs] if isinstance(envs, Heli3DOFVectorEnv) else list(envs)
@@ -325,7 +336,9 @@ class APG:
             for policy, own in zip(policies, fleets)
         ]
         self.policy = Actor(len(FLIGHT_FEATURES) + self.tasks[0].preview.shape[1], hidden, memory)
-        self.optimizer = torch.optim.Adam(self.policy.parameters(), lr=learning_rate)
+        self.first = first
+        learned = [*self.policy.parameters(), *(first.parameters() if first else ())]
+        self.optimizer = torch.optim.Adam(learned, lr=learning_rate)
         self.rollout = Rollout(max(self.tasks, key=lambda task: len(task.v_ref)), hidden)
         self.device = torch.device("cpu")
         self.lr_schedule: Any = lambda _: learning_rate
@@ -381,7 +394,8 @@ class APG:
         self.next_seed += LANES
         self.optimizer.zero_grad()
         self.rollout.task = self.tasks[number]
-        FlightLoss.apply(self.rollout, batch, self.outcomes, *self.policy.parameters()).backward()
+        hidden = self.first(self.fleets[number]) if self.first else None
+        FlightLoss.apply(self.rollout, batch, self.outcomes, hidden, *self.policy.parameters()).backward()
         norm = float(torch.nn.utils.clip_grad_norm_(self.policy.parameters(), self.max_grad_norm))
         if np.isfinite(norm):
             self.optimizer.step()

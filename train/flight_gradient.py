@@ -113,6 +113,7 @@ class Batch(NamedTuple):
     u: np.ndarray  # (2, LANES), V, motor voltages
     delay: np.ndarray | None = None  # (LANES,), whole control periods of delay of each; by default the task's
     drift: np.ndarray | None = None  # (LANES,), 1/s, share of the thrust lost per second
+    hidden: np.ndarray | None = None  # (H, LANES), first hidden states; by default zero
 
 
 class Outcome(NamedTuple):
@@ -801,6 +802,7 @@ class Rollout:
         self.batch, self.weights = batch, weights
         self.x[0], self.measured[0], self.rotors[0], self.alive[0] = batch.x, batch.measured, batch.u, 1.0
         self.u[:delay] = batch.u
+        self.h[0] = 0.0 if batch.hidden is None else batch.hidden
         bias = task.preview @ weights.preview.T + weights.input_bias
         sums = np.zeros((4, LANES))
         for t in range(T):
@@ -855,7 +857,7 @@ class Rollout:
         return float((each + outcome.penalty).mean())
 
     def backward(self, outcome: Outcome) -> Weights:
-        """Gradient of `loss` for the flights of the last `forward`."""
+        """Gradient of `loss` for the flights of the last `forward`; that by their first hidden states is `d_hidden`."""
         task, s, w, batch = self.task, self.task.settings, self.weights, self.batch
         k, settings = self.kernels(batch), np.array(s)
         T, n, delay = len(task.v_ref), self.hidden, task.delay
@@ -917,4 +919,5 @@ class Rollout:
             )  # fmt: skip
         g.preview[:] = d_bias.T @ task.preview
         g.input_bias[:] = d_bias.sum(axis=0)
+        self.d_hidden = d_h
         return g

@@ -102,6 +102,25 @@ def test_the_gradient_is_that_of_central_differences_where_sensors_are_smooth(pl
         assert (up - down) / (2.0 * step) == pytest.approx((slope * direction).sum(), rel=1e-5, abs=1e-7), name
 
 
+def test_the_gradient_by_the_first_hidden_states_is_that_of_central_differences():
+    task = task_of(residual_policy(), helicopters(), 0.5, 1.0)
+    task = task._replace(
+        v_ref=task.v_ref[:40], gains=task.gains[:40], x_ref=task.x_ref[:41], preview=task.preview[:40].astype(float)
+    )
+    batch = batch_of(helicopters(), 0)
+    batch.body[COUNTS] = 0.0
+    weights, rollout = random_weights(task, 5, float), Rollout(task, 5, np.float64)
+    rng, step = np.random.default_rng(1), 1e-6
+    hidden, direction = rng.standard_normal((2, 5, LANES))
+    batch = with_slopes_of_their_own(rollout, weights, batch._replace(hidden=hidden))
+    up, down = (
+        rollout.loss(rollout.forward(weights, batch._replace(hidden=batch.hidden + sign * step * direction)))
+        for sign in (1.0, -1.0)
+    )
+    rollout.backward(rollout.forward(weights, batch))
+    assert (up - down) / (2.0 * step) == pytest.approx((rollout.d_hidden * direction).sum(), rel=1e-5, abs=1e-8)
+
+
 @pytest.mark.parametrize("after_crash", [pytest.param(False, marks=pytest.mark.slow), True])
 def test_the_gradient_is_that_of_central_differences_where_flights_crash(after_crash):
     task = task_of(residual_policy(), helicopters(), 0.5, 1.0, after_crash=after_crash)
