@@ -1,7 +1,7 @@
 """What `heli-identify` makes of measured flights: the tables of docs/identification.md.
 
-    python benchmarks/identification.py rigs --logs ../shared/logs
-    python benchmarks/identification.py without-rig whole drift --out out     # fits each rig once for all of them
+    python benchmarks/identification.py rigs --logs FOLDER
+    python benchmarks/identification.py without-rig whole drift --logs FOLDER --out out   # fits each rig once for all
 
 Parts:
     rigs         each rig from the first 60 % of all of its logs, judged on the rest
@@ -350,7 +350,7 @@ def cell(value: Any) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="+", choices=PARTS)
-    parser.add_argument("--logs", type=Path, default=Path("../shared/logs"), help="folder of the logs")
+    parser.add_argument("--logs", type=Path, required=True, help="folder of the logs")
     parser.add_argument("--rigs", nargs="*", default=(), help="rigs to do, by default all")
     parser.add_argument("--only", nargs="*", default=(), help="parts of the titles to do, of ablation and faults")
     parser.add_argument("--out", type=Path, help="folder for PART.csv with the rows")

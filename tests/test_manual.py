@@ -1,4 +1,4 @@
-"""The manual's Python code and notebooks run, and the files it names exist."""
+"""The manual's Python code and notebooks run, its links lead to pages, and the files it names exist."""
 
 import re
 from pathlib import Path
@@ -31,9 +31,19 @@ def test_a_tutorial_runs_from_the_first_cell_to_the_last(notebook, tmp_path):
     nbclient.NotebookClient(cells, timeout=300, resources={"metadata": {"path": str(tmp_path)}}).execute()
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md", ROOT / "CONTRIBUTING.md"], ids=lambda page: page.stem)
 def test_every_file_that_a_page_names_exists(page):
-    for name in re.findall(
-        r"`((?:heli_gym|baselines|train|tests|docs|benchmarks|examples|web)/[\w/.-]+)`", page.read_text()
-    ):
+    folders = "heli_gym|baselines|train|tests|docs|benchmarks|examples|web|results"
+    for name in re.findall(rf"`((?:{folders})/[\w/.-]+)`", page.read_text()):
         assert (ROOT / name).exists(), name
+
+
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
+def test_the_links_of_a_tutorial_lead_to_built_pages(notebook):
+    """mkdocs-jupyter leaves links as they are: they name the page that is built."""
+    links = re.findall(r"\]\(((?!https?:)[^)#]+)", notebook.read_text(encoding="utf-8"))
+    assert links
+    for link in links:
+        assert link.endswith(".html"), link
+        page = (notebook.parent / link).resolve()
+        assert page.with_suffix(".md") in PAGES or page.with_suffix(".ipynb") in NOTEBOOKS, link

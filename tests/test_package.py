@@ -181,6 +181,22 @@ def test_every_file_of_the_packages_is_shipped():
             assert package in setuptools["packages"], path
 
 
+def test_every_folder_of_the_repository_is_in_the_sdist():
+    if not (ROOT / ".git").exists():
+        pytest.skip("not a checkout")
+    listed = subprocess.run(["git", "ls-files"], capture_output=True, text=True, cwd=ROOT, check=True).stdout.split()
+    folders = {name.split("/")[0] for name in listed if "/" in name and not name.startswith(".")}
+    grafted = re.findall(r"^graft (\S+)", (ROOT / "MANIFEST.in").read_text(), re.M)
+    assert folders <= {*FOLDERS, *grafted}
+
+
+def test_nothing_names_a_folder_next_to_the_repository():
+    for folder in (*FOLDERS, "benchmarks", "docs", "examples", "tests"):
+        for path in (ROOT / folder).rglob("*"):
+            if path.suffix in {".py", ".md", ".ipynb", ".toml"}:
+                assert not re.search(r"\.\./shared|/ .shared\b", path.read_text()), path
+
+
 def test_the_package_says_that_it_is_typed_and_brings_its_references():
     assert (files("heli_gym") / "py.typed").is_file()
     assert (files("heli_gym") / "references" / "travel-360.npz").is_file()

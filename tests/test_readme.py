@@ -3,8 +3,6 @@
 import re
 from pathlib import Path
 
-import pytest
-
 README = (Path(__file__).parents[1] / "README.md").read_text()
 BLOCKS = re.findall(r"```python\n(.*?)```", README, re.S)
 
@@ -26,8 +24,3 @@ def test_the_code_runs_from_the_first_block_to_the_last(capsys):
     assert len(final_error) == 6
     assert max(map(abs, final_error)) < 0.01
     assert names["observation"] in names["env"].observation_space
-
-
-@pytest.mark.parametrize("name", re.findall(r"`((?:heli_gym|baselines|tests|docs)/[\w/.]+)`", README))
-def test_every_file_it_names_exists(name):
-    assert (Path(__file__).parents[1] / name).exists()

@@ -1,10 +1,10 @@
 """Known rigs are identified within the stated errors; predictions are better than simple ones."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
+from measured import LOGS, on_measured_logs
 
 from heli_gym import HelicopterParameters
 from heli_gym.baselines.commands import identify as command
@@ -22,8 +22,6 @@ from heli_gym.baselines.identification.measured_model import MeasuredParameters
 from heli_gym.baselines.identification.prediction import FilteredLog, Settings, horizon_starts, pooled, validate
 from heli_gym.baselines.identification.simulated import hover_of, random_rig, simulate_log, square_waves
 from heli_gym.rig import Rig
-
-LOGS = Path(__file__).parents[4] / "shared" / "logs"
 
 
 def standardised(parameters, voltage, model):
@@ -273,7 +271,7 @@ def test_the_command_writes_rig_report_and_pictures(known, tmp_path, capsys):
     assert "well predicted" in capsys.readouterr().out
 
 
-@pytest.mark.skipif(not LOGS.is_dir(), reason="no measured logs")
+@on_measured_logs
 def test_on_measured_flights_the_axes_that_move_are_predicted_better_than_by_the_black_box():
     logs = [FlightLog.load(LOGS / f"ntnu-f-{i}.csv") for i in (1, 3)]
     found = identify(logs)

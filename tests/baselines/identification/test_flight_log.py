@@ -3,17 +3,15 @@
 import json
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
+from measured import LOGS, on_measured_logs
 from scipy.io import savemat
 
 from heli_gym.baselines.commands import log as log_command
 from heli_gym.baselines.identification.flight_log import FlightLog
 from heli_gym.baselines.identification.log_quantities import ANGLES
-
-LOGS = Path(__file__).parents[4] / "shared" / "logs"
 
 
 def flown(step=0.002, duration=4.0):
@@ -183,9 +181,11 @@ def test_the_command_refuses_in_one_line(tmp_path):
     assert child.stderr.count("\n") == 1 and "must be a .csv or a .mat file" in child.stderr
 
 
-@pytest.mark.skipif(not LOGS.is_dir(), reason="no measured logs")
+@on_measured_logs
 def test_measured_logs_load_and_start_on_the_table():
-    for path in sorted(LOGS.glob("*.csv")):
+    logs = sorted(LOGS.glob("*.csv"))
+    assert logs
+    for path in logs:
         log = FlightLog.load(path)
         assert 25.0 < np.degrees(log.table_elevation()) < 32.0
         assert 0.9 < log.airborne().mean() < 1.0
