@@ -307,14 +307,14 @@ def main() -> None:
 def run(args: Args) -> None:
     """Fly, write and print the table, draw the profiles."""
     console = Console()
-    path = args.out / f"{args.plant}.json"
-    announce_replaced("heli-results", path)
+    path, picture = args.out / f"{args.plant}.json", args.out / f"{args.plant}-profiles.png"
+    announce_replaced("heli-results", path, picture)
     results = compare(args, console)
     table, rows = table_of(args, results)
     with atomic_write(path) as file:
         file.write((json.dumps(rows, indent=2) + "\n").encode())
     console.print(table)
-    draw_profiles(args.out / f"{args.plant}-profiles.png", args, results)
+    draw_profiles(picture, args, results)
     console.print(f"written to {args.out}")
 
 

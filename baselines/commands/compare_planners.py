@@ -62,6 +62,7 @@ MORE_TIME = 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35
 CONSTRAINED_RIGS = "paper", "ntnu", "quanser"
 OBJECTIVE_DURATIONS = 10.0, 12.0  # s
 MOST = 10**6  # maneuvers, draws
+PICTURE = "planning.png"  # of the trade-off
 
 
 @dataclass
@@ -185,7 +186,7 @@ def trade_off(args: Args, console: Console, engine: Engine) -> None:
     tasks = [(rig, scale_window(rig, window), degrees) for window in WINDOWS for degrees in limits]
     rows = list(track_results(engine, plan_within, tasks, "trade-off", console))
     write_csv(args.out / "trade-off.csv", rows)
-    picture = args.out / "planning.png"
+    picture = args.out / PICTURE
     figure_style.save(draw_trade_off(rows), picture)
     excess = [row["spline"] / row["collocation"] - 1.0 for row in rows]
     console.print(f"{picture}: splines are {min(excess):.1%} to {max(excess):.1%} above collocation")
@@ -283,7 +284,8 @@ def run(args: Args) -> None:
     check_engine(args.engine, args.workers, args.address)
     check_folder("out", args.out)
     importlib.import_module("casadi")  # all parts require it, some only after minutes
-    announce_replaced("heli-compare-planners", *(args.out / f"{part}.csv" for part in args.parts))
+    pictures = [args.out / PICTURE] if "trade-off" in args.parts else []
+    announce_replaced("heli-compare-planners", *(args.out / f"{part}.csv" for part in args.parts), *pictures)
     console = Console()
     with open_engine(args.engine, args.workers, args.address) as engine:
         for part in args.parts:

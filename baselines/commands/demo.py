@@ -34,7 +34,7 @@ from heli_gym.baselines.paper.tvlqr import Q, R, stationary_cost, stationary_gai
 from heli_gym.baselines.planning import spline
 from heli_gym.baselines.planning.feasibility import InfeasibleManeuver, start_clock, validated
 from heli_gym.baselines.planning.planner import fastest_spline
-from heli_gym.cli import command, parse
+from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.model import hover_input
 from heli_gym.on_rig import plant_on_rig
 from heli_gym.parameters import Limits
@@ -77,7 +77,7 @@ NETWORK_FOR = {
 class Args:
     """Write a web page that simulates the helicopter in the browser, and open it."""
 
-    out: Path = Path("out/live.html")  # the page, one self-contained file; in a folder "site/" it is index.html
+    out: Path = Path("out/live.html")  # the page, one self-contained file; in a folder "page/" it is index.html
     open: bool = True  # open the page
     rig: str = ""  # rig to fly: a name or a .toml file, for which plans are solved; by default the packaged ones
     solve_plans: bool = False  # instead, solve the package's grids of plans anew (minutes)
@@ -344,6 +344,7 @@ def run(args: Args) -> None:
     console = Console()
     if args.solve_plans:
         check_folder("the package's folder", PLANS.parent)
+        announce_replaced("heli-demo", PLANS)
         splines = {name: spline_grid(find_rig(name), console) for name in RIGS}
         plans = {"paper": solve_plans(console), "splines": splines}
         with atomic_write(PLANS) as file:
@@ -352,6 +353,7 @@ def run(args: Args) -> None:
         return
     page = args.out if args.out.suffix else args.out / "index.html"
     check_page("out", page)
+    announce_replaced("heli-demo", page)
     data = live_data(find_rig(args.rig) if args.rig else None, console)
     write_page(page, "live", "heli_gym: fly the helicopter", data)
     console.print(f"page: {page}")

@@ -294,8 +294,10 @@ def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory,
         "fig11-voltages": figures.voltages(reference, flights, title),
         "overview": figures.overview(reference, {"feedforward+tvlqr": flights["feedforward+tvlqr"]}, title),
     }
-    for name, figure in track(drawings.items(), "drawing", console=console):
-        figure_style.save(figure, args.out / f"{name}.{args.format}", args.columns)
+    paths = [args.out / f"{name}.{args.format}" for name in drawings]
+    announce_replaced("heli-evaluate", *paths)
+    for figure, path in track(list(zip(drawings.values(), paths)), "drawing", console=console):
+        figure_style.save(figure, path, args.columns)
 
 
 def main(args: Args | None = None) -> None:

@@ -14,8 +14,7 @@ import tyro
 from rich.console import Console
 from rich.table import Table
 
-from heli_gym.baselines.evaluation import log_figures
-from heli_gym.baselines.evaluation.figure_style import DPI
+from heli_gym.baselines.evaluation import figure_style, log_figures
 from heli_gym.baselines.identification.estimation import Identification, ablation_cases, identify
 from heli_gym.baselines.identification.experiment import LONGEST, design
 from heli_gym.baselines.identification.flight_log import FlightLog, find_log
@@ -133,7 +132,7 @@ def run_design(args: Args) -> None:
     out = args.out or Path("out/experiment.csv")
     check_folder("out", out.parent)
     rig, plan = find_rig(args.rig), out.with_suffix(".npz")
-    announce_replaced("heli-identify", plan)
+    announce_replaced("heli-identify", out, plan)
     experiment = design(rig, args.duration)
     experiment.log.save(out)
     experiment.trajectory(rig).save(plan)
@@ -153,7 +152,6 @@ def run(args: Args) -> None:
     """Load the logs, identify, predict, write and print."""
     check(args)
     find_rig(args.rig)
-    announce_replaced("heli-identify", *(path for path in (args.out, args.json) if path))
     if args.design:
         run_design(args)
         return
@@ -164,6 +162,8 @@ def run(args: Args) -> None:
             print(f"{time.perf_counter() - began:6.1f} s  {text}", file=sys.stderr, flush=True)
 
     logs = [find_log(path, mapping=args.mapping, sample_time=args.sample_time) for path in args.logs]
+    pictures = [args.figures / f"{log.name}.png" for log in logs] if args.figures else []
+    announce_replaced("heli-identify", *(path for path in (args.out, args.json, *pictures) if path))
     model = identify(logs, args.rig, args.fit_share, progress=progress)
     progress("settings of the filter")
     settings = tune(logs, model)
@@ -202,13 +202,9 @@ def run(args: Args) -> None:
         console.print("no window was left to predict: fit_share must be smaller, or the log longer")
     if ablation is not None:
         console.print(ablation)
-    if args.figures:
-        for log in logs:
-            path = args.figures / f"{log.name}.png"
-            with atomic_write(path) as file:
-                figure = log_figures.predictions(FilteredLog(log, model, settings), args.fit_share)
-                figure.savefig(file, format="png", dpi=DPI)
-            console.print(f"picture: {path}")
+    for log, path in zip(logs, pictures):
+        figure_style.save(log_figures.predictions(FilteredLog(log, model, settings), args.fit_share), path)
+        console.print(f"picture: {path}")
     for kind, written in (("rig", args.out), ("report", args.json)):
         if written:
             console.print(f"{kind}: {written}")

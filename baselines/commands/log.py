@@ -9,14 +9,13 @@ from typing import Annotated
 import numpy as np
 import tyro
 
-from heli_gym.baselines.evaluation import log_figures
-from heli_gym.baselines.evaluation.figure_style import DPI
+from heli_gym.baselines.evaluation import figure_style, log_figures
 from heli_gym.baselines.identification.flight_log import FlightLog, find_log
 from heli_gym.baselines.identification.log_quantities import ANGLES
 from heli_gym.baselines.identification.replay import PIECE, Replay, replay
-from heli_gym.cli import command, parse
+from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.rig import find_rig
-from heli_gym.storage import atomic_write, check_folder
+from heli_gym.storage import check_folder
 from heli_gym.trajectory import Trajectory
 
 
@@ -75,14 +74,13 @@ def run(args: Args) -> None:
         flown = replay(log, rig, piece=args.piece)
     plan = None if args.plan is None else Trajectory.load(args.plan)
     figure = log_figures.flight_log(log, plan, (args.u_min, args.u_max))
-    with atomic_write(out) as file:
-        figure.savefig(file, format=out.suffix[1:], dpi=DPI)
+    second = out.with_name(f"{out.stem}-replay{out.suffix}")
+    announce_replaced("heli-log", out, *([second] if flown is not None else []))
+    figure_style.save(figure, out)
     print(describe(log))
     print(f"picture: {out}")
     if flown is not None:
-        second = out.with_name(f"{out.stem}-replay{out.suffix}")
-        with atomic_write(second) as file:
-            log_figures.replayed(log, flown, rig.name).savefig(file, format=out.suffix[1:], dpi=DPI)
+        figure_style.save(log_figures.replayed(log, flown, rig.name), second)
         print(describe_replay(log, flown))
         print(f"picture: {second}")
 

@@ -17,7 +17,7 @@ from scipy.interpolate import make_lsq_spline
 from scipy.optimize import brentq
 
 from heli_gym.baselines.planning.planner import plan
-from heli_gym.cli import command, parse
+from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import REFERENCES
 from heli_gym.flatness import invert_motion
 from heli_gym.model import dynamics
@@ -138,9 +138,10 @@ def run(args: Args) -> None:
     """Solve and store the references one after the other."""
     console = Console()
     check_folder("out", args.out)
-    for name in SUITE:
+    paths = {name: args.out / f"{name}.npz" for name in SUITE}
+    announce_replaced("heli-make-references", *paths.values())
+    for name, path in paths.items():
         reference = solve_reference(name)
-        path = args.out / f"{name}.npz"
         reference.save(path)
         pitch = np.degrees(reference.x[4])
         console.print(

@@ -160,7 +160,8 @@ def run(args: Args) -> None:
     check_folder("out", args.out.parent)
     maneuver = requested_maneuver(args)
     trajectory = plan_requested(maneuver, args)
-    announce_replaced("heli-plan", args.out)
+    picture = args.out.with_suffix(".png")
+    announce_replaced("heli-plan", args.out, *([picture] if args.figure else []))
     trajectory.save(args.out)
     on_rig = "" if args.rig == PAPERS.rig.name else f"rig {maneuver.rig.name}, "
     console.print(f"{on_rig}{maneuver}: planned in {time.perf_counter() - began:.2f} s")
@@ -170,7 +171,6 @@ def run(args: Args) -> None:
         f"{trajectory.u.min():.2f} V to {trajectory.u.max():.2f} V\nplan: {args.out}"
     )
     if args.figure:
-        picture = args.out.with_suffix(".png")
         figure_style.save(figures.feedforward(trajectory, maneuver.rig, "Plan"), picture)
         console.print(f"picture: {picture}")
 

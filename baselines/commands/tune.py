@@ -32,7 +32,7 @@ from heli_gym.baselines.control.weights import WEIGHTS, store_weights, stored
 from heli_gym.baselines.evaluation.conditions import rig_of
 from heli_gym.baselines.evaluation.engine import EngineName, check_engine, in_order, open_engine
 from heli_gym.baselines.evaluation.metrics import crash_cost, tracking_reward
-from heli_gym.cli import command, parse
+from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import reference_for
 from heli_gym.plant import PLANTS
 from heli_gym.rig import find_rig
@@ -202,6 +202,8 @@ def check(args: Args) -> None:
     if args.store:
         check_folder("the folder of stored weights", stored.TUNED)
     if args.study is not None:
+        if args.study.is_dir():
+            raise ValueError(f"study = {str(args.study)!r}: must be a file, not a folder")
         check_folder("study", args.study.parent)
 
 
@@ -219,6 +221,7 @@ def run(args: Args) -> None:
     rig = find_rig(name)
     setting = Setting(args.policy, tuple(args.plants), args.objective, args.reference, name, args.force, args.draws)
     helicopters(setting.plants, setting.reference, setting.rig, setting.force, setting.draws)  # errors appear here
+    announce_replaced("heli-tune", *([args.study] if args.study else []))
     in_use = WEIGHTS[args.policy]
     candidates: list[list[float]] = []  # return and decimal logarithms of each
 
@@ -236,22 +239,24 @@ def run(args: Args) -> None:
         with open_engine(args.engine, args.workers, args.address) as engine, Progress(console=console) as progress:
             task = progress.add_task("tuning", total=args.candidates)
             (by_evolution if args.method == "evolution" else by_tpe)(score, in_use, args)
+        seconds = time.perf_counter() - began
+        tuned = with_decades(in_use, np.array(best_of(candidates)[1:]))
+        both = {"in use": in_use, "tuned": tuned}
+        scores = {
+            label: [mean_return((setting, weights, seed)) for seed in (args.seed, args.seed + args.draws)]
+            for label, weights in both.items()
+        }
     except KeyboardInterrupt:
         if candidates:
             print_weights(with_decades(in_use, np.array(best_of(candidates)[1:])), console)
         raise KeyboardInterrupt("the best weights so far are printed, none stored") from None
-    seconds = time.perf_counter() - began
-    tuned = with_decades(in_use, np.array(best_of(candidates)[1:]))
-    both = {"in use": in_use, "tuned": tuned}
-    scores = {
-        label: [mean_return((setting, weights, seed)) for seed in (args.seed, args.seed + args.draws)]
-        for label, weights in both.items()
-    }
-    if args.store:
-        store_weights(args.policy, args.plants[0], tuned, rig)
-    if args.study is not None:
-        write_study(args.study, args, in_use, candidates, scores, seconds)
-    print_weights(tuned, console)
+    try:
+        if args.store:
+            store_weights(args.policy, args.plants[0], tuned, rig)
+        if args.study is not None:
+            write_study(args.study, args, in_use, candidates, scores, seconds)
+    finally:  # the search took long: its weights are printed even if a disk is full
+        print_weights(tuned, console)
     for label, (tuned_on, held_out) in scores.items():
         console.print(f"{label}: mean return {tuned_on:.3f} on the draws tuned on, {held_out:.3f} on others")
     console.print(f"{len(candidates)} candidates in {seconds:.0f} s")

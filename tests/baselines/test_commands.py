@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from heli_gym import cli
+from heli_gym.env import find_reference
 
 OUT_IS_A_FILE = ["--out", "FILE"]
 NAMES_NO_PLANT = ["--plant", "lunar"]
@@ -79,6 +80,7 @@ REFUSED = {
         (["--seed", "-1"], "seed"),
         (["--objective", "fame"], "objective"),
         (["--reference", "nowhere"], "nowhere"),
+        (["--study", "FOLDER"], "study = 'FOLDER': must be a file"),
     ],
     "heli-film": [
         (NAMES_NO_PLANT, "plant"),
@@ -249,6 +251,35 @@ def test_a_folder_that_the_system_denies_is_said_at_once_with_status_1(place, mo
     assert said.err.startswith(f"{program}: /proc/self/results")
     assert said.err.count("\n") == 1
     assert sorted(os.listdir(place)) == ["FILE", "FOLDER"]
+
+
+PLAN = ["--travel-deg", "0", "--elevation-deg", "-5", "--duration", "5"]
+REPLACED = {
+    "heli-plan": ([*PLAN, "--figure", "--out", "a.npz"], ["a.npz", "a.png"]),
+    "heli-demo": (["--no-open", "--out", "page"], ["page/index.html"]),
+    "heli-log": (["simulated", "--rig", "paper", "--out", "a.png"], ["a.png", "a-replay.png"]),
+    "heli-identify": (["--design", "--rig", "ntnu", "--duration", "10", "--out", "a.csv"], ["a.csv", "a.npz"]),
+    "heli-make-references": (["--out", "."], ["climb-15.npz", "take-off.npz"]),
+    "heli-compare-planners": (["--parts", "trade-off", "--out", "."], ["trade-off.csv", "planning.png"]),
+    "heli-tune": (["--draws", "1", "--candidates", "5", "--population", "5", "--study", "a.json"], ["a.json"]),
+}
+
+
+@pytest.mark.parametrize("program", REPLACED)
+def test_every_earlier_result_that_a_command_replaces_is_listed(place, monkeypatch, capsys, program):
+    commands = "heli_gym.baselines.commands"
+    made = find_reference("climb-7.5")
+    monkeypatch.setattr(f"{commands}.make_references.solve_reference", lambda name: made)
+    monkeypatch.setattr(f"{commands}.compare_planners.PARTS", {"trade-off": lambda *_: None})
+    monkeypatch.setattr(f"{commands}.tune.returns", lambda *_: np.zeros(1))
+    arguments, names = REPLACED[program]
+    monkeypatch.setattr(sys, "argv", [program, *arguments])
+    for name in names:
+        (place / name).parent.mkdir(exist_ok=True)
+        (place / name).touch()
+    cli.run(program)
+    [line] = [line for line in capsys.readouterr().err.splitlines() if "replaces" in line]
+    assert line == f"{program}: replaces {', '.join(names)} of an earlier run"
 
 
 def test_a_reference_that_is_no_trajectory_is_named(place, monkeypatch, capsys):

@@ -6,7 +6,7 @@ import os
 import re
 import subprocess
 import sys
-from contextlib import redirect_stdout
+from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import asdict, fields
 from importlib.metadata import version
 from io import StringIO
@@ -48,12 +48,15 @@ def without_wall_time(results):
 
 @pytest.fixture(scope="module")
 def evaluated(tmp_path_factory):
-    """The folder and the settings of one evaluation with figures, and what it printed."""
+    """The folder and the settings of one evaluation with figures, and what it printed to both streams."""
     folder = tmp_path_factory.mktemp("evaluated") / "out"
+    folder.mkdir()
+    for earlier in ("results.json", "overview.png"):
+        (folder / earlier).touch()
     args = Args(policies=POLICIES, episodes=EPISODES, seed=SEED, out=folder)
-    with redirect_stdout(StringIO()) as printed:
+    with redirect_stdout(StringIO()) as printed, redirect_stderr(StringIO()) as complaints:
         evaluate.main(args)
-    return folder, args, printed.getvalue()
+    return folder, args, printed.getvalue(), complaints.getvalue()
 
 
 @pytest.fixture(scope="module")
@@ -69,7 +72,7 @@ def test_results_are_valid_json_and_finite(evaluated):
 
 
 def test_results_say_which_version_and_settings_made_them(evaluated, results):
-    _, args, _ = evaluated
+    args = evaluated[1]
     assert results["version"] == version("heli-gym")
     assert results["settings"] == {**asdict(args), "policies": list(POLICIES), "out": str(args.out)}
 
@@ -131,6 +134,11 @@ def test_every_figure_of_the_paper_is_a_picture(evaluated):
         assert min(pixels.shape[:2]) > 300
         assert pixels[..., :3].std() > 0.01  # something is drawn
     assert {name for name in os.listdir(evaluated[0]) if not name.endswith(".png")} == {"results.json"}
+
+
+def test_earlier_results_and_figures_are_listed_before_they_are_replaced(evaluated):
+    for name in ("results.json", "overview.png"):
+        assert f"heli-evaluate: replaces {evaluated[0] / name} of an earlier run\n" in evaluated[3]
 
 
 def test_equal_seeds_give_equal_results_and_figures_are_optional(evaluated, results, tmp_path):

@@ -116,6 +116,17 @@ def test_a_study_repeats_and_its_best_candidate_is_stored(method, tmp_path, monk
     assert best[1] == pytest.approx(2.0, rel=0.2)
 
 
+def test_weights_that_were_found_are_printed_even_if_they_cannot_be_written(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(tune, "returns", lambda envs, policy, seed, objective: np.zeros(2))
+    monkeypatch.setattr(tune, "write_study", lambda *_: (_ for _ in ()).throw(OSError(28, "No space left on device")))
+    small = {"policy": "flatness", "reference": "climb-7.5", "draws": 2, "candidates": 8, "population": 8}
+    with pytest.raises(SystemExit):
+        tune.main(tune.Args(**small, study=tmp_path / "study.json"))
+    printed = capsys.readouterr()
+    assert f"travel = {WEIGHTS['flatness'].travel:.3g}\n" in printed.out
+    assert "No space left on device" in printed.err
+
+
 def test_the_tracking_return_equals_that_of_an_idle_agent_on_the_policy():
     pytest.importorskip("stable_baselines3")
     from heli_gym.baselines.control.residual import ResidualPolicy

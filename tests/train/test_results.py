@@ -45,6 +45,14 @@ def test_every_policy_flies_the_same_draws_and_the_table_agrees_with_the_flights
     assert (tmp_path / "profiles.png").read_bytes()[:4] == b"\x89PNG"
 
 
+def test_an_earlier_table_and_its_profiles_are_listed_before_they_are_replaced(tmp_path, capsys):
+    names = [str(tmp_path / name) for name in ("lab.json", "lab-profiles.png")]
+    for name in names:
+        Path(name).touch()
+    results.run(replace(SMALL, episodes=2, out=tmp_path))
+    assert f"heli-results: replaces {', '.join(names)} of an earlier run\n" in capsys.readouterr().err
+
+
 def test_a_method_is_flown_once_for_each_of_its_seeds(tmp_path):
     seeds = [RESULTS / f"lab/{stage}/0/best" for stage in ("first-stage", "residual")]
     for seed, path in enumerate(seeds):

@@ -256,6 +256,8 @@ def test_each_effect_is_left_out_once_and_added_once():
 
 def test_the_command_writes_rig_report_and_pictures(known, tmp_path, capsys):
     known[2].save(tmp_path / "flight.csv")
+    for earlier in ("r.json", "flight.png"):
+        (tmp_path / earlier).touch()
     args = command.Args(
         (tmp_path / "flight.csv",), out=tmp_path / "mine.toml", json=tmp_path / "r.json", figures=tmp_path, quiet=True
     )
@@ -267,8 +269,10 @@ def test_the_command_writes_rig_report_and_pictures(known, tmp_path, capsys):
             entry = report["prediction"][axis][horizon]
             assert entry["rms_deg"] < entry["constant_rate_rms_deg"]
     assert report["plant"]["b3"] > 0.0
-    assert (tmp_path / "flight.png").is_file()
-    assert "well predicted" in capsys.readouterr().out
+    assert (tmp_path / "flight.png").read_bytes()
+    printed = capsys.readouterr()
+    assert "well predicted" in printed.out
+    assert f"replaces {tmp_path / 'r.json'}, {tmp_path / 'flight.png'} of" in printed.err
 
 
 @on_measured_logs
