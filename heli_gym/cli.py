@@ -35,7 +35,7 @@ COMMANDS = {
     "heli-train": "heli_gym.train.train",
     "heli-tune": "heli_gym.baselines.commands.tune",
 }
-IMPORTED_AS = {"pygame-ce": "pygame", "pillow": "PIL"}  # distributions with another module name
+IMPORTED_AS = {"pygame-ce": "pygame"}  # distributions with another module name
 
 
 class CommandError(SystemExit):

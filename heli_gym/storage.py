@@ -8,6 +8,7 @@ import math
 import os
 import secrets
 import tempfile
+import time
 import tomllib
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
@@ -19,8 +20,12 @@ import numpy as np
 
 try:
     import fcntl
-except ImportError:  # Windows, where an open file cannot be removed: that replaces the lock
+except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
+    import msvcrt
+
+LOCKED_BYTE = 2**30  # beyond the contents, because others cannot read what is locked on Windows
+WAIT = 0.01  # s, before a lock is tried again on Windows
 
 
 @contextmanager
@@ -56,14 +61,18 @@ def remove_unfinished(path: Path) -> None:
     """Remove temporary files of processes that were killed while they wrote this file."""
     for name in os.listdir(path.parent):
         if name.startswith(f".{path.name}.") and name.endswith(".tmp"):
-            with suppress(OSError), open(path.with_name(name), "rb") as file:
-                # The lock covers writers on other machines, the process number a writer before its lock.
-                if try_lock(file) and not is_alive(name):
+            with suppress(OSError):
+                with open(path.with_name(name), "rb") as file:
+                    # The lock covers writers on other machines, the process number a writer before its lock.
+                    is_left = try_lock(file) and not is_alive(name)
+                if is_left:  # closed, since Windows does not remove an open file
                     path.with_name(name).unlink()
 
 
 def is_alive(name: str) -> bool:
-    """Whether the process whose number is in the name of a temporary file runs on this machine."""
+    """Whether the process whose number is in the name of a temporary file runs on this machine; False on Windows."""
+    if fcntl is None:  # there, signal 0 is Ctrl-C, and a file that its writer has open cannot be removed
+        return False
     pid = name.split(".")[-2].partition("-")[0]
     try:
         os.kill(int(pid), 0)
@@ -76,10 +85,16 @@ def is_alive(name: str) -> bool:
 
 def try_lock(file: BinaryIO) -> bool:
     """Try to lock an open file; return whether it worked. Closing the file or ending the process releases the lock."""
-    if fcntl is None:
-        return True
     try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        if fcntl is not None:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return True
+        position = os.lseek(file.fileno(), 0, os.SEEK_CUR)
+        os.lseek(file.fileno(), LOCKED_BYTE, os.SEEK_SET)
+        try:
+            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined]
+        finally:
+            os.lseek(file.fileno(), position, os.SEEK_SET)
     except OSError:
         return False
     return True
@@ -98,6 +113,9 @@ def locked(path: str | os.PathLike) -> Iterator[None]:
         with open(lock, "ab") as file:
             if fcntl is not None:
                 fcntl.flock(file, fcntl.LOCK_EX)
+            elif not try_lock(file):
+                time.sleep(WAIT)
+                continue
             # The previous holder has removed this file: its name now belongs to another file, or to none.
             try:
                 if os.fstat(file.fileno()).st_ino != lock.stat().st_ino:

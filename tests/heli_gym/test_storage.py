@@ -1,15 +1,19 @@
 """Atomic writes: a file holds the new contents or the old ones."""
 
+import fcntl
+import importlib.util
 import multiprocessing
 import os
 import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
+from types import SimpleNamespace
 
 import pytest
 import writers
 
+from heli_gym import storage
 from heli_gym.storage import atomic_write, check_folder
 
 
@@ -121,6 +125,55 @@ def test_concurrent_changes_by_processes_and_threads_are_all_stored(tmp_path):
         process.join()
         assert process.exitcode == 0
     assert path.read_text() == "200"
+    assert os.listdir(tmp_path) == ["count"]
+
+
+@pytest.fixture
+def on_windows(monkeypatch):
+    """The module as it is where there is no fcntl; a lock of msvcrt is one of flock, at the position of the file."""
+    places = []
+
+    def locking(descriptor, mode, count):
+        places.append(os.lseek(descriptor, 0, os.SEEK_CUR))
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+    monkeypatch.setitem(sys.modules, "fcntl", None)
+    monkeypatch.setitem(sys.modules, "msvcrt", SimpleNamespace(locking=locking, LK_NBLCK=2))
+    specification = importlib.util.spec_from_file_location("storage_on_windows", storage.__file__)
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    module.places = places
+    return module
+
+
+def test_without_fcntl_a_file_is_locked_once_and_beyond_its_contents(tmp_path, on_windows):
+    path = tmp_path / "file"
+    with open(path, "wb") as first, open(path, "ab") as second:
+        first.write(b"four")
+        first.flush()
+        assert on_windows.try_lock(first)
+        assert not on_windows.try_lock(second)
+        first.write(b" more")
+    with open(path, "rb") as third:
+        assert on_windows.try_lock(third)
+        assert third.read() == b"four more"
+    assert min(on_windows.places) >= 2**30
+
+
+def test_without_fcntl_changes_of_threads_are_all_stored_and_files_of_killed_writes_removed(tmp_path, on_windows):
+    path = tmp_path / "count"
+    path.write_text("0")
+    (tmp_path / ".count.1-0123abcd.tmp").write_bytes(b"half")
+
+    def count_up(_):
+        with on_windows.locked(path):
+            number = int(path.read_text())
+            with on_windows.atomic_write(path) as file:
+                file.write(str(number + 1).encode())
+
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(count_up, range(40)))
+    assert path.read_text() == "40"
     assert os.listdir(tmp_path) == ["count"]
 
 
