@@ -12,6 +12,7 @@ import sys
 import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -21,7 +22,9 @@ import numpy as np
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.storage import parse_json
 from heli_gym.trajectory import Trajectory
+from heli_gym.validation import is_number
 
+CLIP_MEAN = 2.0  # default of Stable-Baselines3
 MAX_BYTES = 2**28  # greatest size of a tensor file
 DTYPES = {"FloatStorage": "<f4", "DoubleStorage": "<f8", "HalfStorage": "<f2", "LongStorage": "<i8"}
 ACTIVATIONS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
@@ -115,8 +118,19 @@ def as_pilot(policy: Any) -> Any:
     if callable(policy):
         return policy if type(policy).__module__.startswith("heli_gym.") else FunctionPolicy(policy)
     if hasattr(policy, "predict"):
-        return Agent(lambda observation: policy.predict(observation, deterministic=True)[0], type(policy).__name__)
+        return Agent(partial(predict_without_memory, policy), type(policy).__name__)
     raise ValueError(f"policy = {policy!r}: must be a name, a path, a policy, a function or a model with predict")
+
+
+def predict_without_memory(model: Any, observation: np.ndarray) -> Any:
+    """Actions of a model. Raises ValueError for one with a memory, which nobody would hand back to it."""
+    action, *memory = model.predict(observation, deterministic=True)
+    if any(state is not None for state in memory):
+        raise ValueError(
+            f"policy: {type(model).__name__} has a memory, its predict returns a state: must be a model without; "
+            "a policy of your own can hold the state"
+        )
+    return action
 
 
 def find_function(name: str, module: str, function: str) -> Callable[..., Any]:
@@ -153,6 +167,7 @@ class Layers:
     biases: tuple[np.ndarray, ...]
     activation: str
     tanh_output: bool
+    limit: float = np.inf  # greatest magnitude of the last layer's outputs, ahead of tanh
 
     def __call__(self, observation: np.ndarray) -> np.ndarray:
         value = observation.reshape(len(observation), -1).astype(float)
@@ -162,14 +177,14 @@ class Layers:
             )
         for weight, bias in zip(self.weights[:-1], self.biases[:-1]):
             value = ACTIVATIONS[self.activation](value @ weight.T + bias)
-        value = value @ self.weights[-1].T + self.biases[-1]
+        value = np.clip(value @ self.weights[-1].T + self.biases[-1], -self.limit, self.limit)
         return np.tanh(value) if self.tanh_output else value
 
 
 def load_sb3(path: str) -> Agent:
     """Load the deterministic actor of a Stable-Baselines3 model: PPO, A2C, SAC, TQC, TD3 or DDPG with an MlpPolicy.
 
-    Only the parameters and the name of the activation function are read.
+    Only the parameters, the name of the activation function and the options of gSDE are read.
 
     Raises ValueError for another file or another network.
     """
@@ -195,10 +210,17 @@ def load_sb3(path: str) -> Agent:
     names = ordered_layers(tensors, hidden)
     if any(name.startswith(("lstm", "features_extractor.cnn", "pi_features_extractor.cnn")) for name in tensors):
         raise ValueError(f"policy = {path!r}: must be without recurrent or convolutional layers")
+    chosen = settings.get("policy_kwargs") if isinstance(settings, dict) else None
+    chosen = chosen if isinstance(chosen, dict) else {}
+    tanh_output = tanh_output or chosen.get("squash_output") is True  # of PPO and A2C with gSDE
+    limit = np.inf
     if last is not None:
-        names += ordered_layers(tensors, last) or [last.rstrip(".")]
-    chosen = (settings.get("policy_kwargs") or {}).get("activation_fn", "") if isinstance(settings, dict) else ""
-    activation = str(chosen).rstrip("'>").rpartition(".")[2] or activation
+        clipped = ordered_layers(tensors, last)  # of SAC and TQC with gSDE: a layer and a Hardtanh
+        names += clipped or [last.rstrip(".")]
+        limit = chosen.get("clip_mean", CLIP_MEAN) if clipped else np.inf
+        if clipped and not (is_number(limit) and limit > 0.0):
+            raise ValueError(f"policy = {path!r}: clip_mean = {limit!r}: must be a positive number")
+    activation = str(chosen.get("activation_fn", "")).rstrip("'>").rpartition(".")[2] or activation
     if activation not in ACTIVATIONS:
         raise ValueError(f"policy = {path!r}: its activation {activation!r} must be one of {', '.join(ACTIVATIONS)}")
     try:
@@ -212,7 +234,7 @@ def load_sb3(path: str) -> Agent:
         raise ValueError(f"policy = {path!r}: its layers {shapes} must lead to two actions")
     if not all(np.isfinite(values).all() for values in (*weights, *biases)):
         raise ValueError(f"policy = {path!r}: its parameters must be finite")
-    return Agent(Layers(weights, biases, activation, tanh_output), path)
+    return Agent(Layers(weights, biases, activation, tanh_output, limit), path)
 
 
 def ordered_layers(tensors: dict[str, np.ndarray], prefix: str) -> list[str]:

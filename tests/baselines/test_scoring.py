@@ -120,6 +120,38 @@ def test_a_stable_baselines3_model_and_its_file_act_equally(tmp_path, env, obser
         np.testing.assert_allclose(of_file.column("rms_error_deg"), of_model.column("rms_error_deg"), rtol=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("algorithm", "options", "last"),
+    [
+        ("PPO", {"policy_kwargs": {"squash_output": True}}, "action_net"),
+        ("SAC", {"buffer_size": 10}, "actor.mu"),
+        ("SAC", {"buffer_size": 10, "policy_kwargs": {"clip_mean": 0.5}}, "actor.mu"),
+        ("SAC", {"buffer_size": 10, "policy_kwargs": {"clip_mean": 0.0}}, "actor.mu"),
+    ],
+)
+def test_squashed_and_clipped_means_of_a_file_are_those_of_the_model(
+    tmp_path, env, observations, algorithm, options, last
+):
+    torch, sb3 = pytest.importorskip("torch"), pytest.importorskip("stable_baselines3")
+    model = getattr(sb3, algorithm)("MlpPolicy", env, device="cpu", seed=1, use_sde=True, **options)
+    with torch.no_grad():
+        for name, parameter in model.policy.named_parameters():
+            if name.startswith(last):
+                parameter *= 30.0
+    model.save(tmp_path / "agent.zip")
+    expected, _ = model.predict(observations, deterministic=True)
+    np.testing.assert_allclose(make_pilot(tmp_path / "agent.zip", REFERENCE).act(observations), expected, atol=1e-5)
+
+
+def test_a_model_with_a_memory_is_refused():
+    class Recurrent:
+        def predict(self, observation, state=None, deterministic=False):
+            return np.zeros((len(observation), 2)), np.zeros(3)
+
+    with pytest.raises(ValueError, match="Recurrent has a memory"):
+        evaluate(Recurrent(), episodes=1, reference="climb-7.5")
+
+
 def damaged(content: bytes) -> bytes:
     """A model's archive whose parameters are these bytes."""
     file = io.BytesIO()
