@@ -74,6 +74,8 @@ def main() -> None:
     SequentialTrainer(
         cfg={"timesteps": max(32, args.steps // args.envs), "headless": True}, env=env, agents=agent
     ).train()
+    reward = memory.get_tensor_by_name("rewards").mean().item()
+    print(f"reward of the last rollout: {reward:.3f} per second")
     env.close()
 
 

@@ -16,7 +16,7 @@ RUNS = [
       for form in ("make", "make_vec_env", "native")),
     ("torchrl", "torchrl_ppo.py", ["--steps", "500"], "reward"),
     ("tree", "rllib_ppo.py", ["--steps", "512"], "return"),
-    ("skrl", "skrl_ppo.py", ["--steps", "512"], ""),
+    ("skrl", "skrl_ppo.py", ["--steps", "512"], "reward of the last rollout"),
     ("osqp", "course_tasks.py", ["--rig", "ntnu", "--draws", "1"], "plan and TV-LQR"),
     ("minari", "minari_dataset.py", ["--steps", "300", "--id", "helicopter/test-v0"], "1 episodes, 300 steps"),
 ]  # fmt: skip

@@ -1,4 +1,4 @@
-"""The commands and the Python code of the README run."""
+"""The Python code of the README runs; tests/test_manual.py parses its commands."""
 
 import re
 from pathlib import Path

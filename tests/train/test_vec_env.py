@@ -182,7 +182,7 @@ def test_a_model_saved_on_one_plant_is_loaded_on_another_rig_plant_and_reference
 @pytest.mark.parametrize("bad", [np.nan, np.inf, "x"])
 def test_refused_actions_change_neither_helicopters_nor_the_memory_of_the_corrected_policy(bad):
     envs = gym.make_vec("Heli3DOF-v0", 2, autoreset_mode="SameStep", **SHORT).unwrapped
-    reference = envs.reference_of(0) if envs.has_begun else find_reference("climb-7.5")
+    reference = find_reference("climb-7.5")
     policy = ResidualPolicy(make_policy("lqi", reference), reference, None, 1.0)
     vec = ResidualVecEnv(envs, policy)
     vec.reset()
