@@ -241,7 +241,10 @@ class Friction:
 
 @dataclass(frozen=True)
 class Table:
-    """Table below the helicopter, which rests on it before take-off with one foot under each rotor."""
+    """Table below the helicopter, which rests on it before take-off with one foot under each rotor.
+
+    Only for plants whose elevation is positive down (b2 < 0) and whose pitch raises the front rotor (b3 > 0).
+    """
 
     elevation: Number = TABLE_ELEVATION  # rad, positive down, of the arm at rest
     friction: Number = 0.3  # coefficient of the feet's Coulomb friction, which holds the travel
@@ -383,6 +386,9 @@ class Plant:
         """Make the plant that a rig file describes: its coefficients, friction and coupling, thrust map with unequal
         rotors, lag and dead time, encoders with their zeros, and its table.
 
+        The encoders read as the rig's do after the correction of their signs, without that of their zeros. A rig whose
+        elevation is positive upwards, or whose pitch has the other sign, flies without its table.
+
         `parts` are other fields of `Plant`, or replace these: `disturbances=(ThrustDrift(0.05),)`, `table=None`. The
         amplifier's limits belong to the environment: pass it the same `rig`.
 
@@ -393,8 +399,8 @@ class Plant:
             "parameters": found.parameters,
             "thrust_map": None if found.thrust_map.is_quadratic else found.thrust_map,
             "rotors": Rotors(lag=found.lag, delay=found.delay),
-            "sensors": Sensors(found.encoder_counts, zeros=tuple(0.0 - zero for zero in found.sensor_zeros)),  # type: ignore[arg-type]
-            "table": Table(found.table_elevation),
+            "sensors": Sensors(found.encoder_counts, zeros=tuple(0.0 - offset for offset in found.sensor_offsets)),  # type: ignore[arg-type]
+            "table": Table(found.table_elevation) if has_table_signs(found.parameters) else None,
             "coupling": found.coupling,
         }
         return cls(**(own | parts))
@@ -432,8 +438,11 @@ class Plant:
                 f"coupling = {self.coupling}: must be left out with a rigid body, which has its own moments"
             )
         for p in alternatives(self.parameters) if self.table is not None else ():
-            if least_magnitude(p.b2) < LEAST_LIFT:
-                raise ValueError(f"parameters.b2 = {p.b2!r}: must be at least {LEAST_LIFT:g} in magnitude with a table")
+            if not has_table_signs(p):
+                raise ValueError(
+                    f"parameters.b2 = {p.b2!r}, parameters.b3 = {p.b3!r}: must be b2 <= -{LEAST_LIFT:g} (elevation "
+                    "positive down) and b3 > 0 with a table"
+                )
         self._check_thrust_map()
         if self.stiffness > STIFFEST:
             raise ValueError(
@@ -565,6 +574,11 @@ def least_magnitude(value: Number) -> Any:
     return max(lowest(value), -highest(value), 0.0)
 
 
+def has_table_signs(p: HelicopterParameters) -> bool:
+    """Whether elevation is positive down and pitch with the front rotor up, in any draw, as `with_contact` assumes."""
+    return highest(p.b2) <= -LEAST_LIFT and lowest(p.b3) > 0.0
+
+
 def axis_rates(own: HelicopterParameters, friction: Friction, table: Table | None) -> list[float]:
     """Rates in 1/s: damping of each axis, and frequencies of pendulum and contact."""
     rates = [
@@ -643,7 +657,7 @@ def with_contact(x: Any, dx: tuple, parameters: Any, table: Any, sin: Any = np.s
     """Add the forces of a table (rad, friction) on two feet to the time derivative dx (6, ...) of the state x.
 
     Each foot is a spring and a damper that acts at the rotor above it and never pulls. Coulomb friction of both feet
-    holds the travel.
+    holds the travel. Elevation is positive down (b2 < 0) and pitch with the front rotor up (b3 > 0).
     """
     dq1, ddq1, dq2, ddq2, dq3, ddq3 = dx
     p, (elevation, coefficient) = parameters, table

@@ -16,7 +16,7 @@ import tomli_w
 
 from heli_gym import model
 from heli_gym.model import hover_input
-from heli_gym.parameters import NO_COUPLING, Coupling, HelicopterParameters, Limits
+from heli_gym.parameters import NO_COUPLING, PATH_LIMITS, Coupling, HelicopterParameters, Limits
 from heli_gym.rigid_body import RigidBodyParameters, solve_rigid_body
 from heli_gym.storage import atomic_write, parse_toml
 from heli_gym.thrust_map import PowerCurve, TableCurve, ThrustCurve, ThrustMap
@@ -107,7 +107,7 @@ class Rig:
         thrust_map: curves of both rotors; by default (2) with the parameters' coefficients.
         voltage_limits: (min, max) in V of the amplifiers.
         pitch_limit: rad, where a flight ends: the stop of the pitch axis.
-        table_elevation: rad, of the body on the table before take-off.
+        table_elevation: rad, of the body on the table before take-off, positive down whatever the sign of elevation.
         encoder_counts: per revolution of travel, elevation and pitch.
         sample_time: s, of the rig's own controllers.
         lag: s, nominal, first order, of the rotor speed behind the voltage.
@@ -253,6 +253,11 @@ class Rig:
                     f"and thrust_map, {_curves(self.thrust_map)}, gives {least:.4g} to {most:.4g} N"
                 )
 
+    @property
+    def sensor_offsets(self) -> tuple[float, ...]:
+        """Readings (3,) in rad at angles of zero, times the signs: sign * reading = angle + offset."""
+        return tuple(sign * zero for sign, zero in zip(self.sensor_signs, self.sensor_zeros))
+
     # Thrust and voltage
 
     def thrust(self, u: Any) -> Any:
@@ -362,6 +367,10 @@ class Rig:
         )
         limits: dict[str, Any] = {"u_min": self.limits.u_min, "u_max": self.limits.u_max}
         limits |= _angle("pitch_min", self.limits.pitch_min) | _angle("pitch_max", self.limits.pitch_max)
+        for key, unit in PATH_LIMITS.items():
+            value = getattr(self.limits, key)
+            if value is not None:
+                limits |= _angle(key, value) if unit else {key: float(value)}
         tables: dict[str, Any] = {"name": self.name, "source": self.source}
         tables |= _angle("pitch_limit", self.pitch_limit) | _angle("table_elevation", self.table_elevation)
         if self.mass_data is None:
@@ -615,16 +624,19 @@ class _RigFile:
             else:
                 found["sensor_zeros"] = _as_tuple(sensors.get("zeros"))
         if "limits" in self.data:
-            angles = ("pitch_min", "pitch_max")
-            known = ("u_min", "u_max", *angles, *(f"{key}_deg" for key in angles))
+            required, optional = ("pitch_min", "pitch_max"), tuple(key for key, unit in PATH_LIMITS.items() if unit)
+            known = ("u_min", "u_max", *required, *optional, *(f"{key}_deg" for key in required + optional), "slew")
             limits = self.table("limits", known, ("u_min", "u_max"))
-            values = {key: self.angle(limits, key, "limits") for key in angles}
-            for key, value in values.items():
-                if value is None:
+            values = {key: self.angle(limits, key, "limits") for key in required + optional}
+            for key in required:
+                if values[key] is None:
                     raise ValueError(f"line {self.line('', 'limits')}: [limits] lacks the key '{key}_deg'")
-            for key, value in (limits | values).items():
+            given_limits = limits | {key: value for key, value in values.items() if value is not None}
+            for key, value in given_limits.items():
                 require(f"line {self.line(key, 'limits')}: {key}", value, True, "a number")
-            found["limits"] = Limits(float(limits["u_min"]), float(limits["u_max"]), **values)  # type: ignore[arg-type]
+            found["limits"] = Limits(
+                **{key: float(value) for key, value in given_limits.items() if not key.endswith("_deg")}
+            )
         if "coupling" in self.data:
             found["coupling"] = Coupling(**self.table("coupling", Coupling._fields, ()))
         return {key: value for key, value in found.items() if value is not None}

@@ -31,7 +31,8 @@ class Maneuver:
         parameters: coefficients of (3), the rig's by default; without a rig, of (2) and (3).
         rig: the rig that flies, or its name or file; "paper" by default.
         floor: travel (N,), increasing, and elevation (N,) in rad of a polyline, level beyond its ends. The helicopter
-            stays on or above it: q2 is at most the line's elevation, since elevation is positive down.
+            stays on or above it: q2 is at most the line's elevation, since elevation is positive down. None on rigs
+            whose elevation is positive upwards (b2 > 0).
         start_state: state (6,) instead of start, if not at rest.
         goal_state: state (6,) instead of goal, if not at rest.
         via: points passed in motion, in order: (time, travel, elevation) in s and rad. Without a time (None), the
@@ -89,6 +90,11 @@ class Maneuver:
         object.__setattr__(self, "rig", rig)
         object.__setattr__(self, "parameters", rig.parameters)
         object.__setattr__(self, "limits", self.limits or rig.limits)
+        if self.floor is not None and rig.parameters.b2 > 0.0:
+            raise ValueError(
+                f"floor = {shown(self.floor)}: must be None for the rig {rig.name!r}, whose elevation is positive "
+                f"upwards (b2 = {rig.parameters.b2:g})"
+            )
         low, high = rig.voltage_limits
         if not low <= self.limits.u_min < self.limits.u_max <= high:
             raise ValueError(

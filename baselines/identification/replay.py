@@ -25,7 +25,7 @@ ITERATIONS = 3  # of Gauss and Newton, which suffice for so short a time
 
 
 class Replay(NamedTuple):
-    """One piece: times (K,) in s of the log, and angles (3, K) in rad as the log's sensors would measure them."""
+    """One piece: times (K,) in s of the log, and angles (3, K) in rad as the log has them, with its sensors' zeros."""
 
     t: np.ndarray
     angles: np.ndarray
@@ -35,8 +35,8 @@ def replay(log: FlightLog, rig: Rig, plant: Plant | None = None, piece: float = 
     """Fly the logged voltages of the airborne pieces of a log through a plant, by default that of the rig.
 
     Args:
-        log: measured flight.
-        rig: its amplifier's limits and its sensors' zeros.
+        log: measured flight; its angles have the signs of the model, by `Mapping`, but not the rig's zeros.
+        rig: its amplifier's limits, and its sensors' signs and zeros.
         plant: without ranges; its sensors are replaced by exact ones.
         piece: length in s of the pieces; 1 s or more.
 
@@ -68,8 +68,8 @@ def pieces(log: FlightLog, piece: float) -> list[tuple[int, int]]:
 
 def fly_piece(log: FlightLog, rig: Rig, plant: Plant, k: int, n: int) -> Replay:
     """Replay n steps from sample k, from the state that fits the first FIT_TIME best."""
-    zeros = np.array(rig.sensor_zeros)
-    measured = log.angles[:, k : k + n + 1] - zeros[:, None]
+    offsets = np.array(rig.sensor_offsets)
+    measured = log.angles[:, k : k + n + 1] - offsets[:, None]
     state = np.empty(6)
     state[0::2], state[1::2] = measured[:, 0], log.rates()[:, k]
     fitted = min(round(FIT_TIME / log.sample_time), n) + 1
@@ -79,7 +79,7 @@ def fly_piece(log: FlightLog, rig: Rig, plant: Plant, k: int, n: int) -> Replay:
         J = ((angles[1:] - angles[0]) / DIFFERENCE).reshape(6, -1).T
         state = state + np.linalg.lstsq(J, (measured[:, :fitted] - angles[0]).ravel(), rcond=None)[0]
     angles = simulate(log, rig, plant, state[None], k, n)[0]
-    return Replay(log.t[k : k + n + 1], angles + zeros[:, None])
+    return Replay(log.t[k : k + n + 1], angles + offsets[:, None])
 
 
 def simulate(log: FlightLog, rig: Rig, plant: Plant, states: np.ndarray, k: int, n: int) -> np.ndarray:

@@ -15,7 +15,7 @@ PATH_TOLERANCE = 1e-6  # rad, rad/s, and share of a slew rate: tolerance of path
 
 
 class PathLimits(NamedTuple):
-    """Path constraints of a maneuver; None for a missing one. Elevation is positive down."""
+    """Path constraints of a maneuver; None for a missing one. Elevation is the model's, positive down if b2 < 0."""
 
     elevation_min: float | None
     elevation_max: float | None
@@ -32,15 +32,20 @@ class PathLimits(NamedTuple):
 
 
 def path_limits(maneuver: Maneuver) -> PathLimits:
-    """Path constraints of a maneuver; they include the rig's table if both ends are above it."""
-    limits = maneuver.limits
-    elevation_max, table = limits.elevation_max, maneuver.rig.table_elevation
+    """Path constraints of a maneuver; they include the rig's table if both ends and all via points are above it.
+
+    On a rig whose elevation is positive upwards (b2 > 0), the table is a least elevation.
+    """
+    limits, table = maneuver.limits, maneuver.rig.table_elevation
+    window = [limits.elevation_min, limits.elevation_max]
     heights = [maneuver.start[1], maneuver.goal[1], *(lift for _, _, lift in maneuver.via if lift is not None)]
-    if elevation_max is None and max(heights) < table:
-        elevation_max = table
+    if maneuver.rig.parameters.b2 > 0.0:
+        if min(heights) > -table:
+            window[0] = -table if window[0] is None else max(window[0], -table)
+    elif max(heights) < table:
+        window[1] = table if window[1] is None else min(window[1], table)
     return PathLimits(
-        limits.elevation_min,
-        elevation_max,
+        *window,
         limits.travel_rate,
         limits.elevation_rate,
         limits.slew,

@@ -87,6 +87,39 @@ def test_the_table_is_a_floor_where_both_ends_are_above_it():
     assert path_limits(Maneuver(limits=Limits(elevation_max=0.1))).elevation_max == 0.1
 
 
+def test_a_looser_elevation_max_does_not_remove_the_table():
+    loose = Limits(elevation_max=1.0)
+    assert path_limits(Maneuver(limits=loose)).elevation_max == Maneuver().rig.table_elevation
+    low = replace(find_rig("paper"), table_elevation=0.05)
+    assert path_limits(Maneuver((0.0, 0.1), rig=low, limits=loose)).elevation_max == 1.0  # starts below the table
+
+
+@pytest.fixture(scope="module")
+def upwards():
+    """The paper's rig with elevation positive upwards and a table 4 degrees below level."""
+    own = find_rig("paper")
+    return replace(
+        own,
+        name="upwards",
+        parameters=own.parameters._replace(a2=-own.parameters.a2, b2=-own.parameters.b2),
+        table_elevation=math.radians(4.0),
+    )
+
+
+def test_on_a_rig_with_elevation_positive_upwards_the_table_is_the_least_elevation(upwards):
+    assert path_limits(Maneuver(rig=upwards))[:2] == (-upwards.table_elevation, None)
+    tight, loose = (replace(upwards.limits, elevation_min=low) for low in (-0.01, -1.0))
+    assert path_limits(Maneuver(rig=upwards, limits=tight)).elevation_min == -0.01
+    assert path_limits(Maneuver(rig=upwards, limits=loose)).elevation_min == -upwards.table_elevation
+    sinking = Maneuver((0.0, 0.0), (3.0, -0.06), 7.0, rig=upwards)
+    assert plan(sinking).x[2].min() > -upwards.table_elevation - 1e-5
+
+
+def test_a_floor_is_refused_on_a_rig_with_elevation_positive_upwards(upwards):
+    with pytest.raises(ValueError, match=r"floor = .*: must be None for the rig 'upwards'.*b2 = 0.6523"):
+        Maneuver(rig=upwards, floor=(TRAVEL, BUMP))
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

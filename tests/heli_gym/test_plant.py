@@ -572,6 +572,23 @@ def test_the_plant_of_a_rig_has_its_effects():
     assert Plant.from_rig(rig, table=None).table is None
 
 
+def test_the_encoders_of_a_rig_read_with_its_signs_and_without_its_zeros():
+    zeros, signs = (0.0, math.radians(27.5), 0.1), (1, -1, 1)
+    rig = Rig("own", encoder_counts=(2**20,) * 3, sensor_zeros=zeros, sensor_signs=signs)
+    flight = simulate(Plant.from_rig(rig, table=None, rotors=Rotors()), duration=0.2)
+    readings = np.array(signs) * flight.x[::2].T + np.array(zeros)  # of the rig: angle = sign * (reading - zero)
+    assert_allclose(flight.measured[::2].T, np.array(signs) * readings, atol=1e-5)
+
+
+def test_a_table_is_refused_where_elevation_is_positive_upwards_or_pitch_has_the_other_sign():
+    upwards, otherwise = P._replace(a2=-P.a2, b2=-P.b2), P._replace(b3=-P.b3)
+    for parameters in (upwards, otherwise, P._replace(b2=Uniform(-1.0, 0.0))):
+        with pytest.raises(ValueError, match=r"parameters.b2 = .*must be b2 <= -0.001 .* with a table"):
+            Plant(parameters, table=Table())
+    for parameters in (upwards, otherwise):
+        assert Plant.from_rig(Rig("own", parameters)).table is None
+
+
 @pytest.mark.parametrize(
     ("make", "message"),
     [

@@ -1,5 +1,7 @@
 """Logged voltages flown by the plant of the rig that flew them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -35,6 +37,15 @@ def test_without_the_moments_between_the_axes_it_moves_less_like_the_log(log, ri
     assert worst(Plant.from_rig(rig, sensors=None)) < 0.3 * worst(
         Plant.from_rig(rig, sensors=None, coupling=Coupling())
     )
+
+
+def test_a_zero_of_a_sensor_with_the_other_sign_counts_the_other_way(log, rig):
+    flown = log.part(0.0, 8.0)
+    zeros = rig.sensor_zeros
+    turned = replace(rig, sensor_signs=(1, -1, -1), sensor_zeros=(0.0, -0.0, -zeros[2]))
+    assert zeros[2] != 0.0
+    for mine, same in zip(replay(flown, rig), replay(flown, turned)):
+        np.testing.assert_array_equal(same.angles, mine.angles)
 
 
 def test_pieces_are_airborne_and_cover_the_rest():
