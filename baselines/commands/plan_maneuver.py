@@ -2,7 +2,7 @@
 
 import csv
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import degrees, isfinite, radians
 from pathlib import Path
 from typing import Literal
@@ -13,7 +13,6 @@ from rich.console import Console
 from heli_gym.baselines.evaluation import figure_style, figures
 from heli_gym.baselines.planning.planner import plan, plan_fastest
 from heli_gym.cli import announce_replaced, command, parse
-from heli_gym.parameters import Limits
 from heli_gym.rig import find_rig
 from heli_gym.storage import check_folder
 from heli_gym.trajectory import Maneuver, Trajectory
@@ -67,7 +66,8 @@ def requested_maneuver(args: Args) -> Maneuver:
         pitch_max = radians(args.pitch_limit_deg)
         pitch_min = -pitch_max
     u_min, u_max = (own if given is None else given for own, given in zip(rig.limits.u, (args.u_min, args.u_max)))
-    limits = Limits(u_min, u_max, pitch_min, pitch_max, slew=args.slew, **path_limits(args))
+    more = path_limits(args) | ({} if args.slew is None else {"slew": args.slew})
+    limits = replace(rig.limits, u_min=u_min, u_max=u_max, pitch_min=pitch_min, pitch_max=pitch_max, **more)
     floor = None if args.floor is None else read_floor(args.floor)
     for name in ("start_elevation_deg", "elevation_deg"):
         point = (0.0, radians(getattr(args, name)))
@@ -137,6 +137,10 @@ def read_via(path: Path) -> tuple[tuple[float | None, float, float | None], ...]
 def plan_requested(maneuver: Maneuver, args: Args) -> Trajectory:
     """Plan of a maneuver, in its duration or as fast as possible."""
     if args.fastest:
+        if args.objective not in (None, "shortest"):
+            raise ValueError(
+                f"objective = {args.objective!r}: must be left out with --fastest, whose own is 'shortest'"
+            )
         return plan_fastest(maneuver, args.method, args.reserve, args.time_limit)
     if args.reserve:
         raise ValueError(

@@ -1,6 +1,7 @@
 """Planning functions, from a Maneuver to a validated Trajectory, by every method."""
 
 import math
+import warnings
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -41,6 +42,7 @@ PITCH_RESERVES = (0.0, 1e-4, 1e-3)  # shares of the pitch limits in reserve for 
 RESERVE_ACCURACY = 5e-3  # of the largest reserve
 EASIER = (1.0, 8.0)  # multiples of an easy duration from which collocation searches for its least time
 FLAT_ACCURACY = 1e-3  # relative, of the shortest duration of a flat plan
+VOLTS = {"slew": ("V/s", 1.0), "lead": ("V", 1.0)}  # units of path constraints on voltages; others are of angles
 WORTH_NAMING = 0.01  # share of the duration, per whole range of a limit, from which the limit counts as binding
 
 
@@ -87,7 +89,8 @@ def plan(
             fails, they start from their usual guess.
         objective: of a spline in the maneuver's duration: "smoothest"; least "effort", the mean squared distance of the
             thrusts from hover at the goal; or most "reserve", the unused share of the voltage and pitch ranges.
-            "shortest" is the objective of `plan_fastest`.
+            "shortest" is the objective of `plan_fastest`. Where no plan of least effort or of the smoothest thrusts is
+            found, mostly just above the shortest duration, a RuntimeWarning says so, and the plan is that of "spline".
         start_state: (6,) instead of the maneuver's start, for example measured in flight; `near` is then the plan in
             flight, and its last part the initial guess.
 
@@ -335,10 +338,15 @@ def plan_fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     return trajectory
 
 
-def plan_objective(maneuver: Maneuver, clock: TimeLimit, optimum: Callable) -> Trajectory:
-    """Spline for an objective in the maneuver's duration; if that fails, the plan of `plan_spline`."""
+def plan_objective(maneuver: Maneuver, clock: TimeLimit, name: str, optimum: Callable) -> Trajectory:
+    """Spline for an objective in the maneuver's duration; if that fails, the plan of `plan_spline`, with a warning."""
     found = validated(maneuver, spline.plan_smoothest(maneuver, optimum, clock.check), clock)
-    return plan_spline(maneuver, clock) if found is None else found
+    if found is not None:
+        return found
+    found = plan_spline(maneuver, clock)
+    message = f"objective = {name!r}: no plan found for {maneuver}; this one is without the objective"
+    warnings.warn(message, RuntimeWarning, stacklevel=4)
+    return found
 
 
 def plan_reserve(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
@@ -403,7 +411,7 @@ def binding_limits(maneuver: Maneuver, fastest: spline.Spline) -> str:
     savings |= {
         f"{name} (1 {unit} more would save {fastest.duration * value * by:.2g} s)": fastest.duration * value * by
         for name, value in fastest.by_path
-        for unit, by in [("N/s", 1.0) if name == "slew" else ("deg/s" if "rate" in name else "degree", degree)]
+        for unit, by in [VOLTS.get(name) or ("deg/s" if "rate" in name else "degree", degree)]
     }
     named = [name for name, saving in savings.items() if saving > WORTH_NAMING * fastest.duration]
     return f"in the way are {' and '.join(named)}" if named else "none of its limits stands out as the cause"
@@ -494,9 +502,9 @@ NEARBY: dict[str, Callable[[Maneuver, Trajectory, TimeLimit], Trajectory | None]
 }
 OBJECTIVES: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
     "shortest": plan_fastest_auto,
-    "effort": partial(plan_objective, optimum=spline.least_effort),
+    "effort": partial(plan_objective, name="effort", optimum=spline.least_effort),
     "reserve": plan_reserve,
-    "smoothest": partial(plan_objective, optimum=spline.least_rates),
+    "smoothest": partial(plan_objective, name="smoothest", optimum=spline.least_rates),
 }
 FASTEST: dict[str, Callable[[Maneuver, TimeLimit], Trajectory]] = {
     "auto": plan_fastest_auto,

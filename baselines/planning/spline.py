@@ -69,7 +69,7 @@ class Spline(NamedTuple):
     # Multipliers of the bounds, summed over time: thrusts low and high, per N, pitch low and high, per rad. For the
     # fastest plan, they are the sensitivities of the logarithm of its duration to the bounds.
     multipliers: np.ndarray
-    by_path: tuple[tuple[str, float], ...] = ()  # likewise of the path constraints, per rad, rad/s or N/s
+    by_path: tuple[tuple[str, float], ...] = ()  # likewise of the path constraints, per rad, rad/s, V/s or V
     rate: float = 0.0  # rad/s, travel rate at the start
     is_fixed: bool = False  # whether the accelerations at a moving start are fixed
 
@@ -337,7 +337,12 @@ def optimise(
         return None
     sums = [part.sum() for row in multipliers for part in (row[:points], row[points : points + free])]
     of_rows = multipliers[:, points + free :].sum(axis=0)
-    by_path = tuple((name, float(of_rows[names == name].sum())) for name in dict.fromkeys(names.tolist()))
+    # per volt where the rows are bounds in newtons that a limit in volts gives
+    per_limit = {name: (row_high - row_low) / width for name, width in voltage_widths(maneuver, bounds).items()}
+    by_path = tuple(
+        (name, float((of_rows * per_limit.get(name, 1.0))[names == name].sum()))
+        for name in dict.fromkeys(names.tolist())
+    )
     return Spline(
         coefficients,
         s**-0.5 if time_weight else duration,
@@ -392,8 +397,7 @@ def constraint_rows(maneuver: Maneuver, segments: int, duration: float, bounds: 
         knots = np.arange(segments + 1)
 
     def within(name: str) -> float:
-        limit = getattr(path, name)
-        return max(limit - bounds.tighter.get(name, 0.0), LEAST_SHARE * limit)
+        return tightened(getattr(path, name), bounds.tighter.get(name, 0.0))
 
     share = np.append((np.arange(segments)[:, None] + kernel.POINTS).ravel() / segments, 1.0)
     voltages = maneuver.rig.hover_voltage(maneuver.start[1])[:, None] * np.ones(len(share))
@@ -421,8 +425,7 @@ def constraint_rows(maneuver: Maneuver, segments: int, duration: float, bounds: 
             most = within("slew") * np.minimum(slopes[:, 1:], slopes[:, :-1]).T.ravel()
             blocks.append(("slew", kernel.SLEW, np.arange(2 * 3 * segments), -most, most))
         if path.lead is not None:
-            less = LEAD_MARGIN + bounds.tighter.get("lead", 0.0)
-            window = maneuver.limits.u_min + less, maneuver.limits.u_max - less
+            window = leading_window(maneuver, bounds)
             steps = duration * np.diff(share)
             for at_end in (False, True):
                 low, high, lags = lead_bounds(maneuver.rig, voltages, steps, path.lead, window, at_end, bounds.bent)
@@ -439,6 +442,26 @@ def constraint_rows(maneuver: Maneuver, segments: int, duration: float, bounds: 
     )
     lags = np.concatenate(leads)
     return names, rows, low, high, np.concatenate((np.zeros(len(rows) - len(lags)), lags))
+
+
+def tightened(limit: float, by: float) -> float:
+    """The limit less an amount, but not less than LEAST_SHARE of it."""
+    return max(limit - by, LEAST_SHARE * limit)
+
+
+def leading_window(maneuver: Maneuver, bounds: Bounds) -> tuple[float, float]:
+    """Window in V of leading commands in the optimisation."""
+    less = LEAD_MARGIN + bounds.tighter.get("lead", 0.0)
+    return maneuver.limits.u_min + less, maneuver.limits.u_max - less
+
+
+def voltage_widths(maneuver: Maneuver, bounds: Bounds) -> dict[str, float]:
+    """Widths in V/s of the window of slew rates, and in V of that of leading commands, by name of the constraint."""
+    low, high = leading_window(maneuver, bounds)
+    slew = maneuver.limits.slew
+    return {"lead": high - low} | (
+        {} if slew is None else {"slew": 2.0 * tightened(slew, bounds.tighter.get("slew", 0.0))}
+    )
 
 
 def lead_bounds(

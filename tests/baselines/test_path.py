@@ -1,6 +1,7 @@
 """Path constraints, moving ends and objectives, against an independent integrator and a least-effort optimum."""
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -74,6 +75,24 @@ def test_a_refusal_names_the_constraint_and_its_cost():
     tight = Maneuver(duration=8.4, limits=Limits(elevation_min=-0.01, elevation_max=0.01))
     with pytest.raises(InfeasibleManeuver, match=r"the shortest found takes.*elevation \(1 degree more would save"):
         plan(tight)
+
+
+def test_a_faster_change_of_the_voltages_saves_the_stated_time():
+    slow = Maneuver(duration=8.0, limits=Limits(slew=3.0))
+    with pytest.raises(InfeasibleManeuver) as refusal:
+        plan(slow, "spline")
+    stated = float(re.search(r"slew \(1 V/s more would save ([\d.]+) s\)", str(refusal.value))[1])
+    faster = plan_fastest(Maneuver(duration=30.0, limits=Limits(slew=3.15))).duration
+    assert (refusal.value.shortest_duration - faster) / 0.15 == pytest.approx(stated, rel=0.15)
+
+
+@pytest.mark.slow
+def test_a_volt_more_for_leading_commands_saves_the_stated_time():
+    with pytest.raises(InfeasibleManeuver) as refusal:
+        plan(Maneuver(duration=8.0, lead=True), "spline")
+    stated = float(re.search(r"lead \(1 V more would save ([\d.]+) s\)", str(refusal.value))[1])
+    faster = plan_fastest(Maneuver(duration=30.0, limits=Limits(0.95, 11.05), lead=True)).duration
+    assert (refusal.value.shortest_duration - faster) / 0.05 == pytest.approx(stated, rel=0.15)
 
 
 def test_other_methods_refuse_a_violated_constraint_by_name():
@@ -248,6 +267,14 @@ def test_an_objective_is_named_where_it_is_unknown_or_of_another_method():
         plan(Maneuver(), objective="fuel")
     with pytest.raises(ValueError, match="objective = 'effort': must go with"):
         plan(Maneuver(), "flat", objective="effort")
+
+
+@pytest.mark.parametrize("objective", ["effort", "smoothest"])
+def test_a_plan_without_the_requested_objective_is_announced(objective):
+    requested = Maneuver(duration=8.31)  # next to the shortest
+    with pytest.warns(RuntimeWarning, match=f"objective = '{objective}': no plan found for travel 0 to 360"):
+        found = plan(requested, "spline", objective=objective)
+    assert_allclose(found.u, plan(requested, "spline").u)
 
 
 @pytest.mark.parametrize("objective", [None, "effort"])

@@ -5,12 +5,12 @@ import os
 import re
 import subprocess
 import sys
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
 
-from heli_gym import Limits, Maneuver, Trajectory
+from heli_gym import Limits, Maneuver, Trajectory, find_rig
 from heli_gym.baselines import plan
 from heli_gym.baselines.commands import plan_maneuver
 from heli_gym.baselines.commands.plan_maneuver import Args
@@ -35,6 +35,15 @@ def test_the_file_is_the_plan_of_the_maneuver_and_its_picture_is_beside_it(tmp_p
     assert out.with_suffix(".png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
     printed = " ".join(capsys.readouterr().out.split())
     assert "travel -10 to 90 deg, elevation 3 to -5 deg in 7 s within 1 to 10.5 V and -40 to 40 deg" in printed
+
+
+def test_the_limits_of_a_rig_file_hold_unless_an_option_replaces_them(tmp_path):
+    own = replace(find_rig("paper"), limits=Limits(elevation_max=0.1, travel_rate=1.2, slew=20.0))
+    own.save(tmp_path / "mine.toml")
+    mine = {"rig": str(tmp_path / "mine.toml")}
+    assert plan_maneuver.requested_maneuver(Args(**mine)).limits == own.limits
+    changed = plan_maneuver.requested_maneuver(Args(**mine, u_max=10.0, slew=9.0)).limits
+    assert changed == replace(own.limits, u_max=10.0, slew=9.0)
 
 
 def test_the_defaults_are_the_papers_maneuver(tmp_path, paper_plan):
@@ -65,6 +74,7 @@ def test_the_defaults_are_the_papers_maneuver(tmp_path, paper_plan):
         ({"method": "magic", "fastest": True}, "method = 'magic'"),
         ({"reserve": 0.1}, r"reserve = 0\.1: only the fastest plan"),
         ({"fastest": True, "reserve": 1.0}, r"reserve = 1\.0"),
+        ({"fastest": True, "objective": "effort"}, "objective = 'effort': must be left out with --fastest"),
         ({"time_limit": 0.0}, r"time_limit = 0\.0"),
     ],
     ids=str,
