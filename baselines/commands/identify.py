@@ -105,6 +105,15 @@ def ablation_table(logs: list[FlightLog], args: Args, progress: Any) -> tuple[Ta
     return table, found
 
 
+def check_unused(args: Args, *names: str) -> None:
+    """Raise ValueError for an argument that has no effect and is not the default."""
+    for name in names:
+        value = getattr(args, name)
+        if value != getattr(Args, name):
+            given = str(value) if isinstance(value, Path) else value
+            raise ValueError(f"{name} = {given!r}: must be left out {'with' if args.design else 'without'} --design")
+
+
 def check(args: Args) -> None:
     """Raise ValueError for invalid arguments."""
     if args.design:
@@ -112,7 +121,9 @@ def check(args: Args) -> None:
             raise ValueError("logs: must be left out with --design")
         if args.out is not None and args.out.suffix != ".csv":
             raise ValueError(f"out = {str(args.out)!r}: must end in .csv with --design")
+        check_unused(args, "fit_share", "mapping", "sample_time", "json", "figures", "ablation")
         return
+    check_unused(args, "duration")
     if not args.logs:
         raise ValueError("logs: must be at least one file")
     if not (math.isfinite(args.fit_share) and 0.0 < args.fit_share <= 1.0):

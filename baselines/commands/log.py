@@ -18,6 +18,8 @@ from heli_gym.rig import find_rig
 from heli_gym.storage import check_folder
 from heli_gym.trajectory import Trajectory
 
+AMPLIFIER = (-24.0, 24.0)  # V, the widest of these rigs
+
 
 @dataclass
 class Args:
@@ -29,8 +31,8 @@ class Args:
     piece: float = PIECE  # s, length of the pieces of that flight
     mapping: Path | None = None  # .toml or .json with the tables columns, signs, units and zeros
     sample_time: float | None = None  # s; by default 0.01, or the log's own if that is longer
-    u_min: float = -24.0  # V, lower limit of the amplifier
-    u_max: float = 24.0  # V, upper limit of the amplifier
+    u_min: float | None = None  # V, lower limit of the amplifier; by default the rig's, -24 without a rig
+    u_max: float | None = None  # V, upper limit of the amplifier; by default the rig's, 24 without a rig
     out: Path | None = None  # .png or .pdf; by default the log's name in out/
 
 
@@ -62,24 +64,24 @@ def run(args: Args) -> None:
     out = args.out or Path("out") / f"{args.log.stem}.png"
     if out.suffix not in (".png", ".pdf"):
         raise ValueError(f"out = {str(out)!r}: must end in .png or .pdf")
-    if not (math.isfinite(args.u_min) and math.isfinite(args.u_max) and args.u_min < args.u_max):
-        raise ValueError(f"u_min = {args.u_min:g}, u_max = {args.u_max:g}: must be finite, the first the smaller")
+    rig = None if args.rig is None else find_rig(args.rig)
+    limits = AMPLIFIER if rig is None else rig.voltage_limits
+    u_min, u_max = (own if given is None else given for own, given in zip(limits, (args.u_min, args.u_max)))
+    if not (math.isfinite(u_min) and math.isfinite(u_max) and u_min < u_max):
+        raise ValueError(f"u_min = {u_min:g}, u_max = {u_max:g}: must be finite, the first the smaller")
     if not (math.isfinite(args.piece) and args.piece > 0.0):
         raise ValueError(f"piece = {args.piece:g}: must be a positive number of seconds")
     check_folder("out", out.parent)
     log = find_log(args.log, mapping=args.mapping, sample_time=args.sample_time)
-    flown = None
-    if args.rig is not None:
-        rig = find_rig(args.rig)
-        flown = replay(log, rig, piece=args.piece)
+    flown = None if rig is None else replay(log, rig, piece=args.piece)
     plan = None if args.plan is None else Trajectory.load(args.plan)
-    figure = log_figures.flight_log(log, plan, (args.u_min, args.u_max))
+    figure = log_figures.flight_log(log, plan, (u_min, u_max))
     second = out.with_name(f"{out.stem}-replay{out.suffix}")
     announce_replaced("heli-log", out, *([second] if flown is not None else []))
     figure_style.save(figure, out)
     print(describe(log))
     print(f"picture: {out}")
-    if flown is not None:
+    if rig is not None and flown is not None:
         figure_style.save(log_figures.replayed(log, flown, rig.name), second)
         print(describe_replay(log, flown))
         print(f"picture: {second}")

@@ -30,7 +30,6 @@ WINDOW = 2.0  # s
 MIN_WINDOW = 5.0  # s, airborne, to check signs
 EVERY = 5  # samples, decimation of the errors
 HUBER = 3.0  # standard deviations, above which the loss is linear
-LEAST_SIGMA = 2.0 * math.pi / np.array([8192, 4096, 4096]) / math.sqrt(12.0)  # rad, of rounding to encoder counts
 LEAST_SPREAD = 3e-4  # rad/s², of the slow accelerations
 UNDETERMINED = 0.7  # share of the prior's spread above which a parameter is undetermined
 CHANCE = 0.95  # quantile above which a variance exceeds the model's by more than chance
@@ -68,6 +67,11 @@ EFFECTS: dict[str, dict[str, float]] = {
 CONTRADICTION = 0.1  # least partial correlation of the wrong sign; on measured flights it is 0.14 to 0.98, rightly
 STILL = 2e-3  # rad and V, range below which a signal does not move
 COEFFICIENTS = ("a1", "a2", "a3", "b1", "b2", "b3")
+
+
+def rounding(counts: Sequence[int]) -> np.ndarray:
+    """Standard deviations (3,) in rad of the rounding to encoder counts per revolution."""
+    return 2.0 * math.pi / np.array(counts) / math.sqrt(12.0)
 
 
 def ablation_cases() -> dict[str, list[str]]:
@@ -212,9 +216,9 @@ def identify(
     for log in logs:
         if abs(log.sample_time - dt) > 1e-6 * dt:
             raise ValueError(f"logs: must have one sample time, but have {dt:g} s and {log.sample_time:g} s")
-    problem = Shooting(logs, fit_share, spread)
-    check_signs(logs)
     start = find_rig(start)
+    problem = Shooting(logs, fit_share, spread, counts=start.encoder_counts)
+    check_signs(logs)
     centre = np.array(MeasuredParameters() if prior is None else prior, dtype=float)
     free = list(COEFFICIENTS)
     for effect, neutral in EFFECTS.items():
@@ -342,8 +346,14 @@ class Shooting:
     """Multiple-shooting problem: windows of logs, and their unknowns."""
 
     def __init__(
-        self, logs: Sequence[FlightLog], share: float, prior_spread: MeasuredParameters = SPREAD, window: float = WINDOW
+        self,
+        logs: Sequence[FlightLog],
+        share: float,
+        prior_spread: MeasuredParameters = SPREAD,
+        window: float = WINDOW,
+        counts: Sequence[int] = Rig.encoder_counts,
     ) -> None:
+        self.least_sigma = rounding(counts)  # errors are at least those of the encoders
         self.logs, self.dt, self.prior_spread = list(logs), logs[0].sample_time, np.array(prior_spread)
         self.n = round(window / self.dt)
         self.starts = [window_starts(log, share, self.n) for log in logs]
@@ -528,12 +538,12 @@ class Shooting:
         """Update spread and correlation time of the errors and spread of the accelerations from current residuals."""
         parts = [m - y for (y, _), m in zip(simulated, self.measured) if m is not None]
         errors = np.concatenate(parts)
-        robust = np.maximum(1.4826 * np.median(np.abs(errors), axis=(0, 2)), LEAST_SIGMA)
+        robust = np.maximum(1.4826 * np.median(np.abs(errors), axis=(0, 2)), self.least_sigma)
         step = EVERY * self.dt
         bounded = np.clip(errors, -HUBER * robust[:, None], HUBER * robust[:, None])
         power = (bounded**2).mean(axis=(0, 2))
         # for errors with short tails, such as rounding, the median overestimates the spread
-        self.sigma = np.maximum(np.minimum(robust, np.sqrt(power)), LEAST_SIGMA)
+        self.sigma = np.maximum(np.minimum(robust, np.sqrt(power)), self.least_sigma)
         total = np.ones(3)
         positive = np.ones(3, dtype=bool)
         for lag in range(1, errors.shape[2] // 2):

@@ -1,16 +1,17 @@
 """Design of an identification experiment: multisine references about hover that excite all parameters."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.signal import savgol_filter
 
-from heli_gym.baselines.identification.estimation import COEFFICIENTS, EFFECTS, LEAST_SIGMA, SPREAD, Shooting
+from heli_gym.baselines.identification.estimation import COEFFICIENTS, EFFECTS, SPREAD, Shooting
 from heli_gym.baselines.identification.flight_log import FlightLog
 from heli_gym.baselines.identification.measured_model import MeasuredParameters
 from heli_gym.baselines.identification.simulated import simulate_log
+from heli_gym.parameters import NO_COUPLING, Coupling
 from heli_gym.rig import Rig
 from heli_gym.trajectory import Trajectory
 
@@ -51,7 +52,10 @@ class Experiment:
 
 
 def parameters_of(rig: Rig) -> tuple[MeasuredParameters, float]:
-    """Parameters of the rig in the model of real flights, with effects common to all rigs, and hover voltage in V."""
+    """Parameters of the rig in the model of real flights, and hover voltage in V.
+
+    For a rig without a known coupling, the moments between the axes are those common to identified rigs.
+    """
     hover = rig.hover_voltage()
     if not np.isfinite(hover).all():
         raise ValueError(f"rig = {rig.name!r}: must hover within its thrust map")
@@ -64,8 +68,14 @@ def parameters_of(rig: Rig) -> tuple[MeasuredParameters, float]:
         a1=p.a1, a2=p.a2, a3=p.a3, b1=p.b1 * unit, b2=p.b2 * unit, b3=p.b3 * unit, c1=p.c1, c2=p.c2, c3=p.c3,
         exponent=float((slope * voltage / f).mean()), reverse=max(backwards, 0.0),
         mismatch=float((f[0] - f[1]) / f.sum()), lag=max(rig.lag, 0.005), delay=rig.delay,
-        voltage_limit=rig.voltage_limits[1],
+        voltage_limit=rig.voltage_limits[1], **({} if rig.coupling == NO_COUPLING else measured_coupling(rig.coupling)),
     ), voltage  # fmt: skip
+
+
+def measured_coupling(coupling: Coupling) -> dict[str, float]:
+    """The moments between the axes by their names in `MeasuredParameters`."""
+    names = ("centrifugal", "centre", "pitch_spin", "gyro", "pitch_speed")
+    return dict(zip(names, coupling))
 
 
 def multisine(
@@ -106,7 +116,7 @@ def design(rig: Rig, duration: float = LONGEST, seed: int = 0) -> Experiment:
         log = largest_flight(rig, parameters, voltage, duration, rng)
         if log is None:
             continue
-        errors, shares = expected_errors(log, parameters, voltage)
+        errors, shares = expected_errors(log, parameters, voltage, rig.encoder_counts)
         score = float(np.mean(np.log(list(shares.values()))))
         if score < best_score:
             best, best_score = Experiment(log, errors, shares), score
@@ -129,7 +139,9 @@ def largest_flight(
         def references(t: float, size: float = size) -> tuple[float, float]:
             return size * allowed * pitch(t), size * math.radians(10.0) * elevation(t)
 
-        log = simulate_log(parameters, voltage, references, duration, name=f"{rig.name}-experiment")
+        log = simulate_log(
+            parameters, voltage, references, duration, name=f"{rig.name}-experiment", counts=rig.encoder_counts
+        )
         inside = low <= log.voltages.min() and log.voltages.max() <= high
         if inside and np.abs(log.angles[2]).max() < 2.0 * allowed and np.abs(log.angles[1]).max() < math.radians(25.0):
             values = np.array([references(float(t)) for t in log.t]).T
@@ -140,12 +152,12 @@ def largest_flight(
 
 
 def expected_errors(
-    log: FlightLog, parameters: MeasuredParameters, voltage: float
+    log: FlightLog, parameters: MeasuredParameters, voltage: float, counts: Sequence[int] = Rig.encoder_counts
 ) -> tuple[dict[str, float], dict[str, float]]:
     """Expected standard errors of the parameters from a flight, absolute and relative to the prior's spread."""
-    problem = Shooting([log], 1.0)
+    problem = Shooting([log], 1.0, counts=counts)
     names = [*COEFFICIENTS, *(name for effect in EFFECTS.values() for name in effect if name != "voltage_limit")]
-    problem.sigma = MODEL_ERROR * LEAST_SIGMA
+    problem.sigma = MODEL_ERROR * problem.least_sigma
     problem.correlation_time = np.full(3, 0.2)
     theta = np.array(parameters, dtype=float)
     problem.hover_voltage = voltage

@@ -1,7 +1,7 @@
 """Simulated flight logs of known rigs, to check that identification recovers their parameters."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -14,7 +14,6 @@ from heli_gym.simulation.simulation import Simulation
 from heli_gym.task import to_action
 from heli_gym.trajectory import Trajectory
 
-COUNTS = (8192, 4096, 4096)  # encoders, per revolution
 BLOCK = 2  # samples per control period
 
 
@@ -64,6 +63,7 @@ def simulate_log(
     dt: float = 0.01,
     rng: np.random.Generator | None = None,
     name: str = "simulated",
+    counts: Sequence[int] = Rig.encoder_counts,
 ) -> FlightLog:
     """Simulate a flight of a rig: PD control of pitch and elevation about hover, excitation, and encoder counts.
 
@@ -75,10 +75,11 @@ def simulate_log(
         dt: s, sample time.
         rng: for the phase of the encoders; without it, counts begin at the initial angles.
         name: of the log.
+        counts: of the encoders, per revolution of each axis.
     """
     n = round(duration / dt)
     theta = np.array(parameters, dtype=complex)
-    counts = 2.0 * math.pi / np.array(COUNTS)
+    steps = 2.0 * math.pi / np.array(counts)
     phase = np.full(3, 0.5) if rng is None else rng.uniform(0.0, 1.0, 3)
     hover = hover_of(parameters, voltage)
     # accelerations per volt about hover, to scale the gains to the rig
@@ -89,7 +90,7 @@ def simulate_log(
     y = np.empty((6, BLOCK + 1), dtype=complex)
     control = HoverController(hover, slope, lift, BLOCK * dt, (-24.0, 24.0))
     for k in range(0, n + 1, BLOCK):
-        measured = quantise(z[0:6:2].real, counts, phase)
+        measured = quantise(z[0:6:2].real, steps, phase)
         u[:, k : k + BLOCK] = control(measured, excitation(k * dt))[:, None]
         stop = min(k + BLOCK, n + 1)
         # the thrusts follow from all voltages so far; only those of the last block are new
@@ -99,7 +100,7 @@ def simulate_log(
         f[:, 2 * k : 2 * stop + 1] = part[:, 2 * (k - first) :]
         block = y[:, : stop - k + 1]
         simulation_kernel()(z, f, k, dt, theta, block)
-        angles[:, k:stop] = quantise(block[0:6:2, :-1].real, counts[:, None], phase[:, None])
+        angles[:, k:stop] = quantise(block[0:6:2, :-1].real, steps[:, None], phase[:, None])
         z[:6] = block[:, -1]
     return FlightLog(np.arange(n + 1) * dt, angles, u, name=name)
 

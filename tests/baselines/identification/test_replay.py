@@ -1,6 +1,7 @@
 """Logged voltages flown by the plant of the rig that flew them."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -71,6 +72,24 @@ def test_the_command_draws_the_replay(log, rig, tmp_path, capsys):
     command.main(command.Args("simulated", rig=str(tmp_path / "mine.toml"), out=tmp_path / "a.pdf"))
     assert (tmp_path / "a-replay.pdf").read_bytes().startswith(b"%PDF")
     assert "replay in 6 pieces" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "limits"),
+    [({}, (-24.0, 24.0)), ({"rig": "ntnu"}, (-10.0, 10.0)), ({"rig": "ntnu", "u_max": 6.0}, (-10.0, 6.0))],
+)
+def test_the_command_marks_the_limits_of_the_rigs_amplifier(arguments, limits, tmp_path, monkeypatch):
+    class Drawn(Exception):
+        pass
+
+    def draw(log, plan, limits):
+        raise Drawn(limits)
+
+    monkeypatch.setattr(command.log_figures, "flight_log", draw)
+    monkeypatch.setattr(command, "replay", lambda *given, **named: [])
+    with pytest.raises(Drawn) as drawn:
+        command.run(command.Args(Path("simulated"), out=tmp_path / "a.pdf", **arguments))
+    assert drawn.value.args == (limits,)
 
 
 def test_an_unknown_name_lists_the_packaged_logs():
