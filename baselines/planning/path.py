@@ -37,15 +37,16 @@ def path_limits(maneuver: Maneuver) -> PathLimits:
     On a rig whose elevation is positive upwards (b2 > 0), the table is a least elevation.
     """
     limits, table = maneuver.limits, maneuver.rig.table_elevation
-    window = [limits.elevation_min, limits.elevation_max]
+    lowest, highest = limits.elevation_min, limits.elevation_max
     heights = [maneuver.start[1], maneuver.goal[1], *(lift for _, _, lift in maneuver.via if lift is not None)]
     if maneuver.rig.parameters.b2 > 0.0:
         if min(heights) > -table:
-            window[0] = -table if window[0] is None else max(window[0], -table)
+            lowest = -table if lowest is None else max(lowest, -table)
     elif max(heights) < table:
-        window[1] = table if window[1] is None else min(window[1], table)
+        highest = table if highest is None else min(highest, table)
     return PathLimits(
-        *window,
+        lowest,
+        highest,
         limits.travel_rate,
         limits.elevation_rate,
         limits.slew,
