@@ -25,7 +25,7 @@ class HelicopterParameters(NamedTuple):
     b1: Scalar = -0.6354  # rad/s² per N, thrust sum on travel
     b2: Scalar = -0.6523  # rad/s² per N, thrust sum on elevation
     b3: Scalar = 4.6276  # rad/s² per N, thrust difference on pitch
-    c1: Scalar = 0.0  # 1/s, viscous friction of travel; the paper has none, real rigs 0.07 to 0.17
+    c1: Scalar = 0.0  # 1/s, viscous friction of travel; the paper has none, identified rigs 0.05 to 0.13
     c2: Scalar = 0.0  # 1/s, viscous friction of elevation
     c3: Scalar = 0.0  # 1/s, viscous friction of pitch
 

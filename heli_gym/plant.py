@@ -46,9 +46,9 @@ PLAIN_FRICTION = 5.0  # 1/s, largest rate of an axis for which one Runge-Kutta s
 # bouncing on both feet, as stiff as steps of 10 ms allow.
 CONTACT_FREQUENCY = 30.0  # rad/s
 CONTACT_DAMPING = 1.0
-FOOT_SPREAD = (
-    0.27  # distance of a rotor, and of the foot below it, from the arm, in lengths of the arm: 0.178 of 0.660 m
-)
+# Distance of a rotor, and of the foot below it, from the pitch axis, in lengths of the arm: 0.178 of 0.660 m. The
+# ratios of the axes' inertias follow from it and the coefficients of (3).
+FOOT_SPREAD = 0.27
 TABLE_ELEVATION = math.radians(27.5)  # rad, of the published rigs
 NO_TABLE = 1e3  # rad, an elevation that is never reached
 
@@ -635,8 +635,10 @@ def with_coupling(
     """Add the moments of `Coupling` to the time derivative dx (6, ...) of the state x.
 
     These are the centrifugal and Coriolis moments of arm and body, as `heli_gym.rigid_body` has them; the gyroscopic
-    moment of rotors with one sense of rotation, with its reaction on the arm, so that it does no work; and the moment
-    of the airflow on pitch. `speed` is the magnitude of the travel rate.
+    moment of rotors with one sense of rotation, with its reaction on the arm; and the moment of the airflow on pitch.
+    `speed` is the magnitude of the travel rate. Both reactions have the inertia of elevation, FOOT_SPREAD b2 / b3 in
+    units of that of pitch: the gyroscopic moments do no work where b1 = b2, and elsewhere, per inertia of pitch,
+    gyro (1 - b2 / b1) sin(q3) dq1 dq3.
     """
     _, w1, q2, w2, q3, w3 = x
     dq1, ddq1, dq2, ddq2, dq3, ddq3 = dx

@@ -279,7 +279,7 @@ class Rig:
         return np.stack((self.thrust_map.front.slope(u[0]), self.thrust_map.back.slope(u[1])))
 
     def thrust_bounds(self, window: tuple[float, float]) -> tuple[float, float]:
-        """Range of thrust in N that both rotors reach within a voltage window (min, max) in V."""
+        """Equations (15), (16): range of thrust in N that both rotors reach within a voltage window (min, max) in V."""
         low, high = self.thrust(np.array(window) * np.ones((2, 1))).T
         return float(low.max()), float(high.min())
 

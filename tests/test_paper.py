@@ -242,7 +242,7 @@ def test_section_iii_b_a_longer_transition_time_makes_the_unconstrained_plan_kee
 @pytest.mark.parametrize("window", [(1.0, 11.0), (-4.0, 10.0), (-9.0, -2.0)])
 def test_section_iii_c_equations_15_16_are_the_thrust_bounds(window):
     f_min, f_max = (K_PLUS * u**2 if u >= 0 else K_MINUS * u**2 for u in window)
-    assert_allclose(normal_form.thrust_bounds(Limits(*window), NOMINAL), (f_min, f_max))
+    assert_allclose(PAPER.rig.thrust_bounds(window), (f_min, f_max))
 
 
 def test_section_iii_c_equations_17_to_20_describe_the_image_of_the_voltage_box():
@@ -478,7 +478,7 @@ def test_section_iii_d_equations_41_42_the_bounds_of_the_pitch_acceleration_alwa
 def test_section_iii_d_equation_43_holds_with_0_11_newton_against_0_58_newton():
     conservative = abs(A3) / B3
     assert conservative == pytest.approx(0.1151, abs=5e-5)
-    v2_min, v2_max = normal_form.v2_bounds(normal_form.thrust_bounds(PAPER.limits, NOMINAL))
+    v2_min, v2_max = normal_form.v2_bounds(PAPER.rig.thrust_bounds(PAPER.limits.u))
     assert (round(v2_min, 4), round(v2_max, 4)) == (-0.5826, 0.5826)
     assert v2_min < -conservative
     assert v2_max > conservative

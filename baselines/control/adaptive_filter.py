@@ -19,13 +19,12 @@ from heli_gym.baselines.control.estimation import START_DEVIATIONS, encoder_nois
 from heli_gym.compilation import Compiler
 from heli_gym.model import dynamics, rk4_step, virtual_input
 from heli_gym.parameters import HelicopterParameters
-from heli_gym.plant import LAB_FRICTION, LAB_ROTORS, Uniform
+from heli_gym.plant import FOOT_SPREAD, LAB_FRICTION, LAB_ROTORS, Uniform
 from heli_gym.rig import Rig
 
 # Indices in the filter's state (N_STATES,): (44); rotor speeds as voltages in V; lag in s; thrust gain;
 # friction in 1/s, on top of the parameters' own; coefficients of two centrifugal terms; accelerations in rad/s².
 ROTORS, LAG, GAIN, FRICTION, CENTRIFUGAL, DISTURBANCE, N_STATES = 6, 8, 9, 10, 13, 15, 18
-LEVER = 0.27  # typical ratio: rotor to pitch axis over body to travel axis
 N_FLIGHT = 8  # states before the parameters: (44) and the rotor speeds
 # Estimates of the parameters, from LAG on, are clipped to what is physically possible.
 LOWEST = (0.02, 0.5, 0.0, 0.0, 0.0, -1.5, -1.5, -3.0, -3.0, -3.0)
@@ -156,7 +155,7 @@ def unmodelled(x: Any, ddq1: Any, model: Any) -> tuple:
     on_travel, on_elevation, on_pitch = model.disturbance
     lift, turn = model.centrifugal
     p = model.parameters
-    arm = LEVER / p.b3  # (inertia of pitch) / (inertia of travel or elevation) = arm |b1| or arm |b2|
+    arm = FOOT_SPREAD / p.b3  # (inertia of pitch) / (inertia of travel or elevation) = arm |b1| or arm |b2|
     rate, pitch_rate, s, c = x[1], x[5], sin(x[4]), cos(x[4])
     on_travel = on_travel + 2.0 * turn * arm * p.b1 * s * c * rate * pitch_rate
     on_elevation = on_elevation + (lift + turn * sin(x[2]) * cos(x[2])) * rate * rate

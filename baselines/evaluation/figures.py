@@ -24,12 +24,12 @@ from heli_gym.baselines.evaluation.figure_style import (
     styled,
 )
 from heli_gym.baselines.evaluation.labels import BLUE, RED, SKY, colours_of, label_of
-from heli_gym.baselines.paper.normal_form import ddy2_bounds, thrust_bounds, v1_bounds, v2_bounds
+from heli_gym.baselines.paper.normal_form import ddy2_bounds, v1_bounds, v2_bounds
 from heli_gym.baselines.paper.saturation import psi1, psi2_bounds, ramp
 from heli_gym.baselines.paper.tvlqr import Gains
 from heli_gym.model import hover_input, thrust, virtual_input, voltage
 from heli_gym.parameters import AMPLIFIER_LIMITS, HelicopterParameters, Limits
-from heli_gym.rig import Rig, assumed_rig
+from heli_gym.rig import Rig, assumed_rig, rig_of
 from heli_gym.trajectory import Maneuver, Trajectory
 
 PAPER_V2 = 0.58  # N, (18) as rounded at the end of Section III-D
@@ -104,7 +104,7 @@ def input_constraints(limits: Limits, parameters: HelicopterParameters) -> Figur
     """Fig. 5: admissible thrusts for the voltage limits, and by (17)-(20) their sums and differences."""
     figure = Figure(figsize=(8.0, 4.2))
     thrusts, virtual = figure.subplots(1, 2)
-    f_min, f_max = f = thrust_bounds(limits, parameters)
+    f_min, f_max = f = rig_of(parameters, limits).thrust_bounds(limits.u)
     v1_hover, v2_hover = hover_input(0.0, parameters)
     box = np.array([[f_min, f_max, f_max, f_min], [f_min, f_min, f_max, f_max]])
     draw_corners(thrusts, box, (v1_hover / 2.0, v1_hover / 2.0))
@@ -155,7 +155,7 @@ def smooth_saturation(bounds: tuple[float, float]) -> Figure:
 @styled
 def ramp_saturation(limits: Limits = Limits(), parameters: HelicopterParameters = HelicopterParameters()) -> Figure:
     """Fig. 7: saturation function (34) for its bounds (33) at hover."""
-    f = thrust_bounds(limits, parameters)
+    f = rig_of(parameters, limits).thrust_bounds(limits.u)
     low, high = psi2_bounds(ddy2_bounds(np.zeros(6), f, parameters), psi1(0.0, limits.pitch), 0.0)
     v = 2.0 * np.linspace(low, high, 401)
     figure, axes = single_panel(

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from heli_gym.baselines.evaluation import figures
-from heli_gym.baselines.paper.normal_form import thrust_bounds, v2_bounds
+from heli_gym.baselines.paper.normal_form import v2_bounds
 from heli_gym.baselines.paper.tvlqr import riccati_gains
 from heli_gym.trajectory import Maneuver, Trajectory
 
@@ -13,6 +13,7 @@ from heli_gym.trajectory import Maneuver, Trajectory
 def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: Maneuver) -> list[dict[str, Any]]:
     """Numbers in the paper's text on the maneuver, with the values that this code computes."""
     p, limits = maneuver.parameters, maneuver.limits
+    f = maneuver.rig.thrust_bounds(limits.u)
     window = f"{limits.u_min:g} to {limits.u_max:g} V"
     pitch_window = f"within ±{np.degrees(limits.pitch_max):g}°"
 
@@ -23,7 +24,7 @@ def paper_numbers(unconstrained: Trajectory, constrained: Trajectory, maneuver: 
         return f"{trajectory.u.min():.2f} to {trajectory.u.max():.2f} V"
 
     statements = [
-        ("v2± of (18), Section III-D", f"±{figures.PAPER_V2} N", f"±{v2_bounds(thrust_bounds(limits, p))[1]:.4f} N"),
+        ("v2± of (18), Section III-D", f"±{figures.PAPER_V2} N", f"±{v2_bounds(f)[1]:.4f} N"),
         ("|a3|/b3 of (43)", f"{figures.PAPER_LEAST_V2} N", f"{abs(p.a3) / p.b3:.4f} N"),
         ("duration T of (8)", f"{maneuver.duration:g} s", f"{constrained.duration:g} s"),
         ("pitch without constraints, Fig. 4", f"leaves ±{np.degrees(limits.pitch_max):g}°", pitch(unconstrained)),

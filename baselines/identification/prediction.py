@@ -1,7 +1,7 @@
 """Prediction error of a model on windows outside the fit, from a state estimated from past data only.
 
 At the start of a window, an extended Kalman filter on the identified model has processed the angles so far. It also
-estimates unmodelled accelerations: fading ones, with time constants of about a second, and constant ones. Within the
+estimates unmodelled accelerations: fading ones, with time constants of 0.3 to 0.5 s, and lasting ones. Within the
 window, the voltages are known, as for the black box.
 """
 

@@ -1,16 +1,16 @@
-"""Sections III-A and III-C: Byrnes-Isidori normal form (10)-(14) and the input constraints (15)-(23).
+"""Sections III-A and III-C: Byrnes-Isidori normal form (10)-(14) and the input constraints (17)-(23).
 
 The outputs are y1 = q2 (elevation) and y2 = q3 (pitch); eta = q1 (travel) is the internal dynamics.
-(13) itself is `heli_gym.model.inverse_dynamics`. All functions broadcast; states x are (44), angles in rad,
-accelerations in rad/s², thrusts and virtual inputs in N.
+(13) itself is `heli_gym.model.inverse_dynamics`, and (15), (16) are `heli_gym.rig.Rig.thrust_bounds`. All functions
+broadcast; states x are (44), angles in rad, accelerations in rad/s², thrusts and virtual inputs in N.
 """
 
 from typing import Any
 
 import numpy as np
 
-from heli_gym.model import dynamics, inverse_dynamics, thrust
-from heli_gym.parameters import HelicopterParameters, Limits
+from heli_gym.model import dynamics, inverse_dynamics
+from heli_gym.parameters import HelicopterParameters
 
 
 def alpha1(x: Any, v1: Any, p: HelicopterParameters) -> Any:
@@ -38,11 +38,6 @@ def arrival_weights(left: Any, damping: Any) -> tuple[Any, Any]:
     """Share of a travel rate that remains after a time `left` in s under damping, and travel per unit of rate, in s."""
     decay = np.exp(-damping * left)
     return decay, (1.0 - decay) / damping if damping else left
-
-
-def thrust_bounds(limits: Limits, p: HelicopterParameters) -> tuple[float, float]:
-    """Equations (15), (16): thrust of one fan at its lowest and at its highest voltage."""
-    return float(thrust(limits.u_min, p)), float(thrust(limits.u_max, p))
 
 
 def v2_bounds(f: tuple[float, float]) -> tuple[float, float]:

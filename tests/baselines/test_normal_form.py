@@ -10,7 +10,7 @@ from independent import TABLE_I, equation_2, equation_3
 from numpy.testing import assert_allclose
 from scipy.integrate import solve_ivp
 
-from heli_gym import HelicopterParameters, Limits, dynamics
+from heli_gym import HelicopterParameters, dynamics
 from heli_gym.baselines.paper.normal_form import (
     alpha1,
     alpha2,
@@ -18,12 +18,12 @@ from heli_gym.baselines.paper.normal_form import (
     ddy1_bounds,
     ddy2_bounds,
     internal_dynamics,
-    thrust_bounds,
     travel_damping,
     v1_bounds,
     v2_bounds,
 )
 from heli_gym.model import inverse_dynamics, thrust_vector
+from heli_gym.rig import PAPER
 
 NOMINAL = HelicopterParameters()
 DAMPED = HelicopterParameters(c1=0.1, c2=0.2, c3=0.5)
@@ -84,7 +84,7 @@ def test_an_acceleration_leaves_rate_and_travel_as_scipy_integrates(damping):
 @pytest.mark.parametrize("signs", [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0)])
 def test_bounds_are_in_order_for_all_signs_of_the_inputs(signs):
     p = NOMINAL._replace(b2=signs[0] * NOMINAL.b2, b3=signs[1] * NOMINAL.b3)
-    f = thrust_bounds(Limits(), p)
+    f = PAPER.thrust_bounds(PAPER.limits.u)
     for low, high in (ddy1_bounds(state(0.1, 0.2), 0.05, f, p), ddy2_bounds(state(0.1, 0.2), f, p)):
         assert low < high
 
@@ -92,20 +92,20 @@ def test_bounds_are_in_order_for_all_signs_of_the_inputs(signs):
 @pytest.mark.parametrize("window", WINDOWS)
 def test_the_thrust_bounds_are_the_extremes_over_the_window(window):
     f = voltage_box(window)
-    assert_allclose(thrust_bounds(Limits(*window), NOMINAL), (f.min(), f.max()), rtol=1e-14)
+    assert_allclose(PAPER.thrust_bounds(window), (f.min(), f.max()), rtol=1e-14)
 
 
 @pytest.mark.parametrize("window", WINDOWS)
 def test_the_bounds_of_the_difference_are_the_extremes_over_the_voltage_box(window):
     f_f, f_b = voltage_box(window)
-    bounds = v2_bounds(thrust_bounds(Limits(*window), NOMINAL))
+    bounds = v2_bounds(PAPER.thrust_bounds(window))
     assert_allclose(bounds, ((f_f - f_b).min(), (f_f - f_b).max()), rtol=1e-14)
 
 
 @pytest.mark.parametrize("window", WINDOWS)
 @pytest.mark.parametrize("share", [-0.95, -0.4, 0.0, 0.1, 0.7])
 def test_the_bounds_of_the_sum_are_the_extremes_at_a_difference(window, share):
-    f = thrust_bounds(Limits(*window), NOMINAL)
+    f = PAPER.thrust_bounds(window)
     v2 = share * v2_bounds(f)[1]
     f_b = np.vectorize(equation_2)(np.linspace(*window, 200001))
     allowed = (f[0] <= f_b + v2) & (f_b + v2 <= f[1])
@@ -116,7 +116,7 @@ def test_the_bounds_of_the_sum_are_the_extremes_at_a_difference(window, share):
 @pytest.mark.parametrize("window", WINDOWS)
 @given(share1=st.floats(-0.5, 1.5), share2=st.floats(-1.5, 1.5))
 def test_inputs_within_the_bounds_are_exactly_those_that_the_fans_can_thrust(window, share1, share2):
-    f = f_min, f_max = thrust_bounds(Limits(*window), NOMINAL)
+    f = f_min, f_max = PAPER.thrust_bounds(window)
     v1, v2 = 2.0 * (f_min + share1 * (f_max - f_min)), share2 * (f_max - f_min)
     low, high = v2_bounds(f)
     within = low <= v2 <= high and v1_bounds(v2, f)[0] <= v1 <= v1_bounds(v2, f)[1]
@@ -131,7 +131,7 @@ def test_the_accelerations_of_any_voltages_in_the_window_lie_within_the_bounds(w
     u_min, u_max = window
     f_f, f_b = (equation_2(u_min + share * (u_max - u_min)) for share in shares)
     _, _, _, ddy1, _, ddy2 = equation_3([0.0, 0.0, y1, 0.0, y2, 0.0], f_f + f_b, f_f - f_b)
-    f = thrust_bounds(Limits(*window), NOMINAL)
+    f = PAPER.thrust_bounds(window)
     for value, (low, high) in (
         (ddy1, ddy1_bounds(state(y1, y2), f_f - f_b, f, NOMINAL)),
         (ddy2, ddy2_bounds(state(y1, y2), f, NOMINAL)),
@@ -144,13 +144,13 @@ def test_the_bounds_of_the_pitch_acceleration_are_the_extremes_over_the_voltage_
     y1, y2, p = 0.2, -0.6, TABLE_I
     f_f, f_b = voltage_box(window)
     ddy2 = p.a3 * np.cos(y1) * np.sin(y2) + p.b3 * (f_f - f_b)
-    bounds = ddy2_bounds(state(y1, y2), thrust_bounds(Limits(*window), NOMINAL), NOMINAL)
+    bounds = ddy2_bounds(state(y1, y2), PAPER.thrust_bounds(window), NOMINAL)
     assert_allclose(bounds, (ddy2.min(), ddy2.max()), rtol=1e-13)
 
 
 def test_everything_broadcasts():
     y1, y2, v2 = np.random.default_rng(4).uniform(-0.4, 0.4, (3, 7))
-    f = thrust_bounds(Limits(), NOMINAL)
+    f = PAPER.thrust_bounds(PAPER.limits.u)
     batch = np.stack(ddy1_bounds(state(y1, y2), v2, f, NOMINAL) + ddy2_bounds(state(y1, y2), f, NOMINAL))
     for n in range(7):
         member = ddy1_bounds(state(y1[n], y2[n]), v2[n], f, NOMINAL) + ddy2_bounds(state(y1[n], y2[n]), f, NOMINAL)

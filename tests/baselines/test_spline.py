@@ -11,7 +11,6 @@ from scipy.interpolate import BSpline
 
 from heli_gym import HelicopterParameters, Maneuver
 from heli_gym.baselines import plan_fastest
-from heli_gym.baselines.paper.normal_form import thrust_bounds
 from heli_gym.baselines.planning import spline
 from heli_gym.baselines.planning.spline_kernel import compiled, derivatives, interpolate, invert
 
@@ -95,7 +94,7 @@ def thrust_rates(c):
 def test_the_spline_minimises_its_objective(objective, weights):
     # the barrier being lowered until the limits, which are far away, do not matter
     requested = Maneuver(goal=(1.0, 0.1), duration=14.0)
-    bounds = spline.Bounds(thrust_bounds(requested.limits, requested.parameters))
+    bounds = spline.Bounds(requested.rig.thrust_bounds(requested.limits.u))
     start = spline.smoothest(requested, spline.guess(requested, 14.0, 30), bounds)
     best = spline.optimise(requested, start, bounds, 14.0, weights, spline.COLD, 1e-10)
     t = np.linspace(0.0, 14.0, 1401)
@@ -126,7 +125,7 @@ def test_the_spline_minimises_its_objective(objective, weights):
 def test_more_time_is_smoother():
     def roughness(duration):
         requested = Maneuver(duration=duration)
-        bounds = spline.Bounds(thrust_bounds(requested.limits, requested.parameters))
+        bounds = spline.Bounds(requested.rig.thrust_bounds(requested.limits.u))
         found = spline.smoothest(requested, spline.guess(requested, duration, 30), bounds)
         return np.abs(interpolate(found.coefficients, duration, 500)[2]).max()
 

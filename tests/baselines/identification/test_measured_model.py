@@ -46,12 +46,17 @@ def test_centrifugal_moments_conserve_energy_and_angular_momentum_of_masses_alon
     np.testing.assert_allclose(np.cos(q2) ** 2 * dq1, np.cos(q2[0]) ** 2 * dq1[0], rtol=1e-6)
 
 
-def test_gyroscopic_moments_do_no_work():
-    p = NEUTRAL._replace(a1=0.0, a2=0.0, a3=0.0, c1=0.0, c2=0.0, c3=0.0, gyro=-1.3)
+@pytest.mark.parametrize("ratio", [1.0, 0.86, 1.25])
+def test_gyroscopic_moments_do_no_work_where_travel_and_elevation_have_the_same_inertia(ratio):
+    p = NEUTRAL._replace(a1=0.0, a2=0.0, a3=0.0, c1=0.0, c2=0.0, c3=0.0, b1=ratio * NEUTRAL.b2, gyro=-1.3)
     ddq1, ddq2, ddq3 = accelerations(X, (0.0, 0.0), p)
-    share = 0.27 * abs(p.b2) / p.b3  # of the moment of inertia of pitch in that of elevation, and of travel
     assert abs(ddq3) > 0.1
-    assert share * X[5] * ddq3 + X[1] * ddq1 + X[3] * ddq2 == pytest.approx(0.0, abs=1e-12)
+    # inertias of travel and elevation in units of that of pitch
+    of_travel, of_elevation = p.b3 / (0.27 * abs(p.b1)), p.b3 / (0.27 * abs(p.b2))
+    power = of_travel * X[1] * ddq1 + of_elevation * X[3] * ddq2 + X[5] * ddq3
+    left = p.gyro * (1.0 - p.b2 / p.b1) * np.sin(X[4]) * X[1] * X[5]
+    assert power == pytest.approx(left, abs=1e-12)
+    assert (abs(power) < 1e-12) == (ratio == 1.0)
 
 
 def test_thrust_is_one_unit_at_the_hover_voltage_after_lag_and_delay():
