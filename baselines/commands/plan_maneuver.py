@@ -1,7 +1,9 @@
 """`heli-plan`: plan a maneuver, print its key figures, save and draw it."""
 
 import csv
+import sys
 import time
+import warnings
 from dataclasses import dataclass, replace
 from math import degrees, isfinite, radians
 from pathlib import Path
@@ -146,7 +148,12 @@ def plan_requested(maneuver: Maneuver, args: Args) -> Trajectory:
         raise ValueError(
             f"reserve = {args.reserve!r}: only the fastest plan has one; tighter limits are for the others"
         )
-    return plan(maneuver, args.method, args.time_limit, objective=args.objective)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        trajectory = plan(maneuver, args.method, args.time_limit, objective=args.objective)
+    for warning in caught:
+        print(f"heli-plan: {warning.message}", file=sys.stderr)
+    return trajectory
 
 
 def main(args: Args | None = None) -> None:

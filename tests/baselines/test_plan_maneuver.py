@@ -46,6 +46,14 @@ def test_the_limits_of_a_rig_file_hold_unless_an_option_replaces_them(tmp_path):
     assert changed == replace(own.limits, u_max=10.0, slew=9.0)
 
 
+def test_a_plan_without_the_requested_objective_is_announced_in_one_line(tmp_path, capsys):
+    out = tmp_path / "plan.npz"
+    plan_maneuver.main(Args(duration=8.31, method="spline", objective="effort", figure=False, out=out))
+    said = capsys.readouterr().err
+    assert said.startswith("heli-plan: objective = 'effort': no plan found for travel 0 to 360")
+    assert said.count("\n") == 1 and out.is_file()
+
+
 def test_the_defaults_are_the_papers_maneuver(tmp_path, paper_plan):
     assert plan_maneuver.requested_maneuver(Args()) == Maneuver()
     plan_maneuver.main(Args(out=tmp_path / "plan.npz", figure=False))
