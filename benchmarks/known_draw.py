@@ -15,7 +15,7 @@ from rich.progress import track
 from rich.table import Table
 from threadpoolctl import threadpool_limits
 
-from heli_gym.baselines.evaluation.statistics import mean_with_interval
+from heli_gym.baselines.evaluation.statistics import mean_with_interval, rank_crashes_last
 from heli_gym.train.apg import APG, batch_of, weights_of
 from heli_gym.train.flight_gradient import LANES, Outcome
 from heli_gym.train.train import VALIDATION_SEED, Args, chunks_of, learn, make_agent, make_helicopters, with_defaults
@@ -50,7 +50,8 @@ def train(args: Args, told: bool) -> APG:
 
 
 def validate(agent: APG) -> Outcome:
-    """Results (BATCHES * LANES,) of validation flights."""
+    """Results (BATCHES * LANES,) of validation flights, crashed ones to the end of the maneuver; without the start."""
+    agent.rollout.task = agent.tasks[0]._replace(after_crash=True)
     outcomes = []
     with torch.no_grad(), threadpool_limits(1):  # more threads slow down small matrices
         weights = weights_of(agent.policy.parameters())
@@ -76,12 +77,12 @@ def main() -> None:
             for seed in track(range(args.seeds), name)
         ]
         cells = []
-        for values in (
-            np.array([getattr(r, field) for r in results]) for field in ("travel_deg", "elevation_deg", "cost")
-        ):
-            mean = mean_with_interval(values)
+        crashed = np.array([r.crashed for r in results])
+        for field in ("travel_deg", "elevation_deg", "cost"):
+            values = np.array([getattr(r, field) for r in results])
+            mean = mean_with_interval(rank_crashes_last(values, crashed))
             cells.append("{:.3f} [{:.3f}, {:.3f}]".format(mean["iqm"], *mean["interval"]))
-        crashes = int(sum(r.crashed.sum() for r in results))
+        crashes = int(crashed.sum())
         table.add_row(name, *cells, f"{crashes} of {args.seeds * BATCHES * LANES}")
     Console().print(table)
 

@@ -345,7 +345,8 @@ def make_helicopters(args: CompleteArgs) -> list[Heli3DOFVectorEnv] | ResidualVe
         return fleets
     envs, reference = fleets[0], fleets[0].reference_of(0)
     privileged = args.privileged and args.algo == "ppo"
-    return ResidualVecEnv(envs, make_residual_policy(args, reference), args.objective, privileged=privileged)
+    policy = make_residual_policy(args, reference)
+    return ResidualVecEnv(envs, policy, args.objective, privileged=privileged, discount=args.gamma)
 
 
 def make_agent(args: CompleteArgs, helicopters: Any, first: torch.nn.Module | None = None) -> APG | BaseAlgorithm:

@@ -13,7 +13,7 @@ from stable_baselines3.common.vec_env.base_vec_env import VecEnv
 
 from heli_gym.baselines.control.protocol import assign_columns, step_index
 from heli_gym.baselines.control.residual import FEATURE_CLIP, ResidualPolicy
-from heli_gym.baselines.evaluation.metrics import tracking_reward
+from heli_gym.baselines.evaluation.metrics import crash_cost, tracking_reward
 from heli_gym.plant import Plant
 from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.simulation.layout import LAG, LOSS, RIG, VISCOUS
@@ -245,7 +245,8 @@ class ResidualVecEnv(HeliVecEnv):
     """Helicopters with a controller that the agent corrects.
 
     The observations are the features of `ResidualPolicy`; with `privileged`, the true tracking error and the plant's
-    draw follow, for the critic only. The objective is "tracking" (`tracking_reward`) or "environment".
+    draw follow, for the critic only. The objective is "tracking" (`tracking_reward`) or "environment". With "tracking",
+    a crash is charged `crash_cost` for all control periods to the end of the maneuver, discounted as the learner does.
     """
 
     def __init__(
@@ -255,9 +256,10 @@ class ResidualVecEnv(HeliVecEnv):
         objective: str = "tracking",
         privileged: bool = False,
         spread: bool = True,
+        discount: float = 1.0,
     ) -> None:
         super().__init__(envs, spread, reward_unit=envs.control_period, sparse_infos=True)
-        self.policy, self.objective, self.privileged = policy, objective, privileged
+        self.policy, self.objective, self.privileged, self.discount = policy, objective, privileged, discount
         self.policy.reset(np.random.default_rng(0))
         self.n_actor_features = len(self.policy.observe(0.0, self.policy.x[:, 0])[1])
         count = self.n_actor_features + (6 + len(DRAWN) if privileged else 0)
@@ -289,7 +291,17 @@ class ResidualVecEnv(HeliVecEnv):
             final = self.info["final_info"]
             state = np.where(done, final["state"].T, state)
             time, cost = np.where(done, final["time"], time), np.where(done, final["cost"], cost)
-        return tracking_reward((state - self.reference_at(time))[0:3:2], cost / self.core.control_period, rewards)
+        earned = tracking_reward((state - self.reference_at(time))[0:3:2], cost / self.core.control_period, rewards)
+        for i in np.flatnonzero(done & (np.abs(state[4]) > self.core.pitch_limit)):
+            earned[i] -= self.crash_charge(float(state[4, i]), float(time[i]))
+        return earned
+
+    def crash_charge(self, pitch: float, time: float) -> float:
+        """Discounted cost of the control periods that a crash at a pitch in rad and a time in s leaves out."""
+        steps = self.policy.x.shape[1] - 1
+        missing = steps - int(step_index(time, self.core.control_period, steps))
+        cost = crash_cost(pitch, self.core.voltage_limits, self.policy.reference.limits)
+        return cost * float((self.discount ** np.arange(1, missing + 1)).sum())
 
     def to_env_action(self, actions: np.ndarray) -> np.ndarray:
         given = real_array(actions)

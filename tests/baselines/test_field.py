@@ -47,3 +47,15 @@ def test_the_page_on_learning_has_the_rows_of_the_published_table():
         row = published[plant, names.get(label, learned).format(plant.removesuffix("+outside"))]
         errors = [f"{float(row[name]):.2f}" for name in ("rms_travel_deg", "rms_elevation_deg", "cost")]
         assert cells == [*errors, f"{row['crashes']} of {row['draws']}", f"{100.0 * float(row['success']):.0f}"], label
+    of_networks = re.findall(
+        r"^\| `(residual.*)` \| `(.+)` \| (.+) \[(.+), (.+)\] \| (.+) \[(.+), (.+)\] \| (.+) \| (\d+) \| (\d+) % \|$",
+        page,
+        re.MULTILINE,
+    )
+    assert len(of_networks) == 6
+    for policy, plant, *cells in of_networks:
+        row = published[plant, policy]
+        names = ("rms_travel_deg", "rms_elevation_deg")
+        errors = [f"{float(row[name + end]):.2f}" for name in names for end in ("", "_low", "_high")]
+        errors.append(f"{float(row['cost']):.2f}")
+        assert cells == [*errors, row["crashes"], f"{100.0 * float(row['success']):.0f}"], (policy, plant)

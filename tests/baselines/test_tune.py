@@ -64,13 +64,6 @@ def test_a_flight_that_ends_early_earns_no_more():
 
 
 def test_a_flight_that_ends_early_is_charged_to_the_end_so_that_a_crash_never_pays():
-    class FullThrottleOfOne:
-        def reset(self, rng):
-            pass
-
-        def __call__(self, t, measurement):
-            return np.array([[12.0], [0.0]]) + np.zeros(measurement.shape[1])
-
     envs = Heli3DOFVectorEnv(2, "nominal", REFERENCE)
     crashed = tune.returns(envs, FullThrottleOfOne(), 0, "tracking")
     flown = tune.returns(envs, make_policy("hover-lqr", REFERENCE), 0, "tracking")
@@ -127,24 +120,48 @@ def test_weights_that_were_found_are_printed_even_if_they_cannot_be_written(tmp_
     assert "No space left on device" in printed.err
 
 
-def test_the_tracking_return_equals_that_of_an_idle_agent_on_the_policy():
+class FullThrottleOfOne:
+    def reset(self, rng):
+        pass
+
+    def __call__(self, t, measurement):
+        return np.array([[12.0], [0.0]]) + np.zeros(measurement.shape[1])
+
+
+@pytest.mark.parametrize(
+    ("action", "same"), [((0.0, 0.0), lambda: make_policy("lag-lqr", REFERENCE)), ((1.0, -1.0), FullThrottleOfOne)]
+)
+def test_the_tracking_return_of_an_agent_is_that_of_the_policy_that_it_flies_crash_or_not(action, same):
     pytest.importorskip("stable_baselines3")
     from heli_gym.baselines.control.residual import ResidualPolicy
     from heli_gym.train.vec_env import ResidualVecEnv
 
-    expected = tune.returns(
-        Heli3DOFVectorEnv(2, "lab", REFERENCE), make_policy("lag-lqr", REFERENCE), 0, objective="tracking"
-    )
-    policy = ResidualPolicy(make_policy("lag-lqr", REFERENCE), REFERENCE, None, 1.0)
+    expected = tune.returns(Heli3DOFVectorEnv(2, "lab", REFERENCE), same(), 0, objective="tracking")
+    policy = ResidualPolicy(make_policy("lag-lqr", REFERENCE), REFERENCE, None, 12.0)
     vec = ResidualVecEnv(Heli3DOFVectorEnv(2, "lab", REFERENCE, autoreset_mode="SameStep"), policy, spread=False)
     vec.seed(0)
     vec.reset()
     total, over = np.zeros(2), np.zeros(2, bool)
     while not over.all():
-        _, rewards, done, _ = vec.step(np.zeros((2, 2), np.float32))
+        _, rewards, done, _ = vec.step(np.tile(np.float32(action), (2, 1)))
         total += np.where(over, 0.0, 0.02 * rewards)
         over |= done
     assert_allclose(total, expected, rtol=1e-5)
+    assert (total < -1.0).all() == (action != (0.0, 0.0))
+
+
+def test_an_agent_is_charged_for_a_crash_at_its_own_discount():
+    pytest.importorskip("stable_baselines3")
+    from heli_gym.baselines.control.residual import ResidualPolicy
+    from heli_gym.train.vec_env import ResidualVecEnv
+
+    charges = []
+    for discount in (1.0, 0.99):
+        policy = ResidualPolicy(make_policy("lag-lqr", REFERENCE), REFERENCE, None, 12.0)
+        envs = Heli3DOFVectorEnv(2, "lab", REFERENCE, autoreset_mode="SameStep")
+        charges.append(ResidualVecEnv(envs, policy, discount=discount).crash_charge(1.6, REFERENCE.duration - 2.0))
+    assert charges[0] > 0.0
+    assert charges[1] / charges[0] == pytest.approx(sum(0.99**k for k in range(1, 101)) / 100)  # 2 s are 100 periods
 
 
 def test_weights_are_stored_for_one_plant_only(tmp_path, monkeypatch):
