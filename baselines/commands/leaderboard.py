@@ -160,6 +160,10 @@ def run(args: Args) -> None:
     conditions, settings = check(args)
     wanted, left_out = flyable(batches(args.policies, conditions, settings), settings)
     check_begun(args, settings)
+    flown_on = {batch.condition for batch in wanted}
+    conditions = [condition for condition in conditions if condition in flown_on]
+    if not conditions:
+        raise ValueError(f"policies = {args.policies}: must name one that flies: {'; '.join(left_out)}")
     console = Console(width=None if sys.stdout.isatty() else 180)
     for reason in left_out:
         console.print(reason)

@@ -330,6 +330,17 @@ def test_on_the_fleet_the_maneuver_is_planned_for_its_rig_and_networks_for_anoth
     assert leaderboard.env_settings(condition, SETTINGS)["reference"].rig.name == "fleet"
 
 
+def test_a_plant_on_which_every_policy_is_left_out_has_no_table_and_no_page(tmp_path):
+    small = {**SMALL, "policies": ("residual-rigid",), "against": Args.against, "episodes": 2, "outside": False}
+    command.main(Args(**{**small, "plants": ("fleet", "rigid")}, out=tmp_path / "out"))
+    [table] = json.loads((tmp_path / "out" / "leaderboard.json").read_text())["tables"]
+    assert table["plant"] == "rigid"
+    assert [path.name for path in (tmp_path / "out" / "pages").iterdir()] == ["rigid-climb-7.5.html"]
+    with pytest.raises(SystemExit, match="must name one that flies: residual-rigid is left out on fleet"):
+        command.main(Args(**{**small, "plants": ("fleet",)}, out=tmp_path / "none"))
+    assert not (tmp_path / "none").exists()
+
+
 def test_the_order_of_a_single_flight_is_a_command_that_flies_it_as_the_leaderboard_does():
     settings = Settings(seed=5, episodes=6, batch=2, control_period=0.04, start_spread_deg=2.0)
     program, *arguments = shlex.split(flight_order("kalman-lqr", Condition("fleet", "climb-7.5"), 7, settings))
