@@ -32,6 +32,7 @@ import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, fields, replace
+from functools import cached_property
 from hashlib import sha256
 from itertools import product
 from pathlib import Path
@@ -94,10 +95,10 @@ class Trial:
     values: dict[str, Any]  # of the settings that differ between trials
     folder: str  # relative to the study's
 
-    @property
+    @cached_property
     def key(self) -> str:
-        """Digest of all settings that determine the run."""
-        return sha256(json.dumps(train.settings_of(self.args), sort_keys=True).encode()).hexdigest()[:16]
+        """Digest of all settings and files that determine the run."""
+        return sha256(json.dumps(train.settings_and_files(self.args), sort_keys=True).encode()).hexdigest()[:16]
 
 
 def read_study(path: Path) -> Study:

@@ -306,7 +306,7 @@ def check_folders(trials: Sequence[Trial], records: dict[str, dict[str, Any]]) -
     taken = {record["run"] for record in records.values()}
     for trial in trials:
         if trial.key not in records and trial.folder in taken:
-            raise ValueError(f"out: {trial.folder} holds a trial with other settings; choose another folder")
+            raise ValueError(f"out: {trial.folder} holds a trial with other settings or files; choose another folder")
 
 
 class Sweep:

@@ -44,6 +44,7 @@ from heli_gym.baselines.control.residual import (
 from heli_gym.baselines.control.residual.step import SINGLE_GROUPS
 from heli_gym.baselines.control.weights import weights_file
 from heli_gym.baselines.evaluation.conditions import rig_of
+from heli_gym.baselines.evaluation.digests import learned_digest, reference_digest, rig_digest
 from heli_gym.baselines.evaluation.metrics import HALVING_ERROR, Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many
 from heli_gym.baselines.planning.sampler import ManeuverSampler
@@ -297,10 +298,26 @@ def settings_of(args: Args) -> dict[str, Any]:
     return json.loads(json.dumps(ours, default=str))
 
 
+def settings_and_files(args: Args) -> dict[str, Any]:
+    """Settings that determine a run and, if they name files, the digests of these by setting, as "sha256"."""
+    digests = digests_of(args)
+    return {**settings_of(args), **({"sha256": digests} if digests else {})}
+
+
+def digests_of(args: Args) -> dict[str, str]:
+    """Digests of the files that settings name, by setting."""
+    digests = {
+        "init": learned_digest(args.init) if args.init else "",
+        "reference": reference_digest(args.reference),
+        "rig": rig_digest(args.rig or ""),
+    }
+    return {name: digest for name, digest in digests.items() if digest}
+
+
 def check_begun(args: Args, folder: Path) -> bool:
     """Whether the folder holds a run to continue.
 
-    Raises ValueError for a run with other settings, or for any run without --resume.
+    Raises ValueError for a run with other settings or files, or for any run without --resume.
     """
     path = folder / "settings.json"
     if not path.is_file():
@@ -312,6 +329,10 @@ def check_begun(args: Args, folder: Path) -> bool:
     for name in ours:
         if begun.get(name) != ours[name]:
             raise ValueError(f"{name} = {ours[name]!r}: the run in {folder} was begun with {begun.get(name)!r}")
+    known = begun.get("sha256", {})
+    for name, digest in digests_of(args).items():
+        if isinstance(known, dict) and known.get(name, digest) != digest:
+            raise ValueError(f"{name} = {ours[name]!r}: has changed since the run in {folder} was begun")
     return True
 
 
@@ -528,7 +549,7 @@ def train_in(
         history = restore(agent, checkpoint)
     else:
         history.append({"steps": 0, "seconds": 0.0, **validate(args, None, validation_envs, VALIDATION_SEED)})
-        write_json(folder / "settings.json", settings_of(args))
+        write_json(folder / "settings.json", settings_and_files(args))
     best_so_far = max((score(args, row) for row in history[1:]), default=-np.inf)
 
     chunks = chunks_of(args)

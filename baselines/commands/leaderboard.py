@@ -24,6 +24,7 @@ from rich.console import Console
 from heli_gym.baselines.control.policies import POLICIES
 from heli_gym.baselines.control.weights import WEIGHTS
 from heli_gym.baselines.evaluation.conditions import OUTSIDE, describe_draw, find_condition, rig_of
+from heli_gym.baselines.evaluation.digests import policy_digest, reference_digest
 from heli_gym.baselines.evaluation.engine import Engine, EngineName, check_engine, open_engine, progress_bar
 from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.baselines.evaluation.leaderboard import (
@@ -129,24 +130,42 @@ def check(args: Args) -> tuple[list[Condition], Settings]:
     return conditions, settings
 
 
-def check_begun(args: Args, settings: Settings) -> None:
-    """Raise ValueError if the folder holds a leaderboard with other settings, or one without --resume."""
+def digests_of(wanted: Sequence[Batch], settings: Settings) -> dict[str, str]:
+    """Digests of the files that the flights of batches depend on, by the argument that names them."""
+    found = {}
+    for policy, condition in dict.fromkeys((batch.policy, batch.condition) for batch in wanted):
+        rig = settings.rig or rig_of(condition.plant)
+        found[f"policies = {policy!r} on the rig {rig!r}"] = policy_digest(policy, find_rig(rig))
+        found[f"references = {condition.reference!r}"] = reference_digest(condition.reference)
+    return {name: digest for name, digest in found.items() if digest}
+
+
+def check_begun(args: Args, settings: Settings, digests: dict[str, str]) -> dict[str, str]:
+    """Digests of the leaderboard in the folder, with new ones added.
+
+    Raises ValueError if it has other settings, another version or other files, or if --resume is missing.
+    """
     path = args.out / SETTINGS
     if not path.is_file():
-        return
+        return digests
     if not args.resume:
         raise ValueError(f"out: {args.out} holds a leaderboard already; --resume goes on with it")
     try:
         begun = read_json_object(path)
         earlier = {name: begun[name] for name in Settings._fields if name not in Settings._field_defaults}
-    except (ValueError, KeyError, TypeError) as error:
+        known = {str(name): str(digest) for name, digest in begun.get("sha256", {}).items()}
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise ValueError(f"out: {path} must hold the settings of a leaderboard: {error}") from error
-    earlier = Settings._field_defaults | earlier | {"rig": begun.get("rig", "")}
-    for name, value in settings._asdict().items():
+    earlier = Settings._field_defaults | earlier | {"rig": begun.get("rig", ""), "version": begun.get("version")}
+    for name, value in {**settings._asdict(), "version": version("heli-gym")}.items():
         if earlier[name] != value and name != "episodes":
             raise ValueError(f"{name} = {value!r}: the leaderboard in {args.out} was begun with {earlier[name]!r}")
     if settings.rig and begun.get("rig_toml") != find_rig(settings.rig).to_toml():
         raise ValueError(f"rig = {settings.rig!r}: has changed since the leaderboard in {args.out} was begun")
+    for name, digest in digests.items():
+        if known.get(name, digest) != digest:
+            raise ValueError(f"{name}: has changed since the leaderboard in {args.out} was begun")
+    return known | digests
 
 
 def main(args: Args | None = None) -> None:
@@ -159,7 +178,7 @@ def run(args: Args) -> None:
     """Fly the missing batches, then write and print the tables; an interrupt writes those of the flights so far."""
     conditions, settings = check(args)
     wanted, left_out = flyable(batches(args.policies, conditions, settings), settings)
-    check_begun(args, settings)
+    digests = check_begun(args, settings, digests_of(wanted, settings))
     flown_on = {batch.condition for batch in wanted}
     conditions = [condition for condition in conditions if condition in flown_on]
     if not conditions:
@@ -170,7 +189,8 @@ def run(args: Args) -> None:
     ledger = Ledger(args.out)
     try:
         own = {"rig_toml": find_rig(settings.rig).to_toml()} if settings.rig else {}
-        write_json(args.out / SETTINGS, {**settings._asdict(), **own, "version": version("heli-gym")})
+        begun = {**settings._asdict(), **own, "version": version("heli-gym"), "sha256": digests}
+        write_json(args.out / SETTINGS, begun)
         missing = ledger.keep_whole(wanted)
         try:
             if missing:

@@ -20,6 +20,7 @@ from heli_gym.baselines import evaluate
 from heli_gym.baselines.commands import evaluate as evaluate_command
 from heli_gym.baselines.commands import leaderboard as command
 from heli_gym.baselines.commands.leaderboard import Args
+from heli_gym.baselines.control.weights import KALMAN_LQR, store_weights
 from heli_gym.baselines.evaluation import leaderboard
 from heli_gym.baselines.evaluation.conditions import COULOMB, find_condition
 from heli_gym.baselines.evaluation.engine import open_engine
@@ -27,8 +28,10 @@ from heli_gym.baselines.evaluation.labels import LABELS, colours_of, label_of
 from heli_gym.baselines.evaluation.leaderboard import Condition, Ledger, Settings, batches, fly_all, standings
 from heli_gym.baselines.evaluation.leaderboard_tables import flight_order
 from heli_gym.baselines.evaluation.statistics import interquartile_mean
+from heli_gym.env import find_reference
 from heli_gym.plant import PLANTS, RotorFault
 from heli_gym.rig import find_rig
+from heli_gym.trajectory import Trajectory
 
 SETTINGS = Settings(seed=5, episodes=6, batch=2, control_period=0.02, start_spread_deg=5.0)
 CONDITION = Condition("lab", "climb-7.5")
@@ -111,6 +114,39 @@ def test_a_second_start_in_the_same_folder_is_refused_and_other_settings_too(flo
         with pytest.raises(SystemExit, match=words):
             command.main(Args(**{**SMALL, **change}, out=flown))
     assert (flown / "flights.csv").read_bytes() == before
+
+
+def test_flights_of_a_policy_that_has_changed_or_of_another_version_are_not_mixed(flown, tmp_path, monkeypatch):
+    before = (flown / "flights.csv").read_bytes()
+    resumed = Args(**{**SMALL, "resume": True, "pages": False}, out=flown)
+    with monkeypatch.context() as patch:
+        patch.setattr("heli_gym.baselines.control.weights.stored.TUNED", tmp_path)
+        store_weights("kalman-lqr", "lab", KALMAN_LQR)
+        with pytest.raises(SystemExit, match="policies = 'kalman-lqr@lab' on the rig 'paper': has changed since"):
+            command.main(resumed)
+    with monkeypatch.context() as patch:
+        patch.setattr(command, "version", lambda name: "0.0.1")
+        with pytest.raises(SystemExit, match=r"version = '0\.0\.1': the leaderboard in .* was begun with"):
+            command.main(resumed)
+    assert (flown / "flights.csv").read_bytes() == before
+
+
+def test_files_are_compared_by_content_and_stay_known_when_their_policy_does_not_fly(tmp_path):
+    reference = find_reference("climb-7.5")
+    path = tmp_path / "mine.npz"
+    reference.save(path)
+    wanted = batches(("zero",), [Condition("lab", str(path))], SETTINGS)
+    digests = command.digests_of(wanted, SETTINGS)
+    begun = {**SETTINGS._asdict(), "version": command.version("heli-gym"), "sha256": digests}
+    command.write_json(tmp_path / "settings.json", begun)
+    args = Args(out=tmp_path, resume=True)
+    assert command.check_begun(args, SETTINGS, {"policies = 'x'": "1"}) == {**digests, "policies = 'x'": "1"}
+    Trajectory(reference.t, 0.5 * reference.x, reference.u, reference.limits).save(path)
+    with pytest.raises(ValueError, match=r"references = '.*mine\.npz': has changed since"):
+        command.check_begun(args, SETTINGS, command.digests_of(wanted, SETTINGS))
+    del begun["sha256"]  # of a folder without digests
+    command.write_json(tmp_path / "settings.json", begun)
+    assert command.check_begun(args, SETTINGS, digests) == digests
 
 
 def test_resuming_a_complete_one_flies_nothing_and_a_new_policy_joins(flown, monkeypatch, tmp_path):

@@ -1,13 +1,21 @@
 """Studies: a trial for every combination, searches by Optuna, and errors by name."""
 
+import json
+import tomllib
+from dataclasses import replace
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
 
 pytest.importorskip("stable_baselines3")
 
+from heli_gym.baselines.control.residual import LEARNED, load_learned, save_learned
+from heli_gym.env import find_reference
+from heli_gym.rig import PAPER
 from heli_gym.train import train
-from heli_gym.train.study import Proposals, Search, check_distinct, corners, read_study, trials_of
+from heli_gym.train.study import Proposals, Search, Trial, check_distinct, corners, read_study, to_settings, trials_of
+from heli_gym.trajectory import Trajectory
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TINY = """
@@ -63,6 +71,25 @@ def test_names_in_braces_stand_for_the_values_of_the_trial(tmp_path):
     assert trial.args.init == tmp_path / "3.json"
     with pytest.raises(ValueError, match=r"trial 1: init = .*4\.json"):
         trials_of(study(tmp_path, text.replace("[3]", "[4]")))
+
+
+def test_the_key_of_a_trial_changes_with_the_contents_of_its_files_and_without_files_is_that_of_its_settings(tmp_path):
+    (plain,) = trials_of(study(tmp_path, f"{TINY}[grid]\nseed = [3]\n"))
+    settings = json.dumps(train.settings_of(plain.args), sort_keys=True)
+    assert plain.key == sha256(settings.encode()).hexdigest()[:16]
+    init, plan, rig = tmp_path / "best", tmp_path / "plan.npz", tmp_path / "rig.toml"
+    found = find_reference("climb-7.5")
+    text = f'[settings]\ninit = "{init}.json"\nreference = "{plan}"\nrig = "{rig}"\n[grid]\nseed = [3]\n'
+
+    def key_of(scale, share, lag):
+        save_learned(init, replace(load_learned(LEARNED / "lab")[0], scale=scale), load_learned(LEARNED / "lab")[1])
+        Trajectory(found.t, share * found.x, found.u, found.limits).save(plan)
+        replace(PAPER, lag=lag).save(rig)
+        return Trial(train.with_defaults(train.Args(**to_settings(tomllib.loads(text)["settings"]))), {}, "").key
+
+    first = key_of(3.0, 1.0, 0.1)
+    assert key_of(3.0, 1.0, 0.1) == first
+    assert len({first, key_of(2.0, 1.0, 0.1), key_of(3.0, 0.5, 0.1), key_of(3.0, 1.0, 0.2)}) == 4
 
 
 @pytest.mark.parametrize(("name", "number"), [("sweep-smoke", 3), ("sweep-search", 2)])

@@ -14,7 +14,7 @@ from rich.console import Console  # noqa: E402
 from stable_baselines3 import PPO  # noqa: E402
 
 from heli_gym.baselines import make_policy  # noqa: E402
-from heli_gym.baselines.control.residual import ResidualPolicy, load_learned  # noqa: E402
+from heli_gym.baselines.control.residual import LEARNED, ResidualPolicy, load_learned, save_learned  # noqa: E402
 from heli_gym.baselines.control.residual.step import SINGLE_GROUPS  # noqa: E402
 from heli_gym.baselines.evaluation.metrics import flight_metrics  # noqa: E402
 from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
@@ -25,10 +25,13 @@ from heli_gym.train.train import (  # noqa: E402
     VALIDATION_SEED,
     Args,
     check,
+    check_begun,
     make_agent,
     network_of,
     run_folder,
     score,
+    settings_and_files,
+    settings_of,
     train,
     with_defaults,
 )
@@ -199,6 +202,20 @@ def test_a_run_is_never_overwritten_and_goes_on_with_its_own_settings_only(tmp_p
         train(replace(args, resume=True, scale=1.0), console)
     train(replace(args, resume=True), console)
     assert (folder / "history.json").read_text() == before
+
+
+def test_a_run_goes_on_with_the_first_network_that_it_was_begun_with_only(tmp_path):
+    settings, network = load_learned(LEARNED / "lab")
+    save_learned(tmp_path / "first", settings, network)
+    args = with_defaults(replace(SMALL_APG, init=tmp_path / "first.json", resume=True))
+    stored = tmp_path / "settings.json"
+    stored.write_text(json.dumps(settings_and_files(args)))
+    assert check_begun(args, tmp_path)
+    save_learned(tmp_path / "first", settings, network._replace(bias_input=network.bias_input + 0.1))
+    with pytest.raises(ValueError, match=r"init = .*first\.json': has changed since the run in .* was begun"):
+        check_begun(args, tmp_path)
+    stored.write_text(json.dumps(settings_of(args)))  # of a run without digests
+    assert check_begun(args, tmp_path)
 
 
 def test_a_second_process_is_kept_out_of_the_folder_of_a_run_at_work(tmp_path):
