@@ -52,6 +52,16 @@ def mean_with_interval(values: np.ndarray) -> dict[str, Any]:
     return {"iqm": interquartile_mean(values), "interval": interval(bootstrapped)}
 
 
+def pooled_mean_with_interval(values: np.ndarray) -> dict[str, Any]:
+    """Interquartile mean of values (M, draws) of all M maneuvers as "iqm", and its "interval".
+
+    The bootstrap resamples the draws, which all maneuvers share; the maneuvers stay as they are.
+    """
+    rng, draws = np.random.default_rng(0), values.shape[1]
+    bootstrapped = [interquartile_mean(values[:, rng.integers(draws, size=draws)]) for _ in range(RESAMPLES)]
+    return {"iqm": interquartile_mean(values), "interval": interval(bootstrapped)}
+
+
 def probability_of_improvement(
     values: np.ndarray,
     others: np.ndarray,

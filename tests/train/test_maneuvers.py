@@ -36,3 +36,13 @@ def test_the_table_has_the_middle_half_of_the_draws_and_counts_crashes():
     travel = np.sort(values[0, METRICS.index("travel"), 0])
     assert rows["one"]["a"]["travel"]["iqm"] == pytest.approx(travel[2:6].mean())
     assert [rows[name]["a"]["crashes"] for name in ("one", "two", "all")] == [0.0, 0.25, 0.125]
+
+
+def test_maneuvers_that_fly_the_same_draws_alike_have_together_the_interval_of_one():
+    values = np.random.default_rng(0).uniform(1.0, 2.0, (len(METRICS), 1, 24))
+    values[METRICS.index("crashed")] = 0.0
+    rows = rows_of({str(k): {"a": values} for k in range(9)})
+    low, high = rows["all"]["a"]["travel"]["interval"]
+    one_low, one_high = rows["0"]["a"]["travel"]["interval"]
+    assert high - low == pytest.approx(one_high - one_low, rel=0.1)
+    assert rows["all"]["a"]["travel"]["iqm"] == pytest.approx(rows["0"]["a"]["travel"]["iqm"])
