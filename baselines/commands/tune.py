@@ -34,7 +34,7 @@ from heli_gym.baselines.evaluation.engine import EngineName, check_engine, in_or
 from heli_gym.baselines.evaluation.metrics import crash_cost, tracking_reward
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import reference_for
-from heli_gym.plant import PLANTS
+from heli_gym.plant import HELD_OUT_SEED, PLANTS
 from heli_gym.rig import find_rig
 from heli_gym.storage import atomic_write, check_folder
 from heli_gym.task import control_grid, control_steps, to_action
@@ -93,7 +93,7 @@ class Args:
     rig: str | None = None  # rig of plants and weights, a name or a .toml file; by default the plants'
     force: bool = False  # fly a plan even if it is for another rig
     draws: int = 32  # helicopters of each plant per candidate
-    candidates: int = 600  # number of candidates, for any number of weights
+    candidates: int = 600  # number of candidates, for any number of weights; evolution flies whole populations of them
     population: int = 40  # candidates in each generation of differential evolution; random ones at first for tpe
     seed: int = 0  # seed of the draws and of the search; the evaluation's draws follow
     engine: EngineName = "local"  # processes of this machine, or Ray
@@ -194,8 +194,9 @@ def check(args: Args) -> None:
     for name, least in (("draws", 1), ("population", 5), ("candidates", args.population)):
         if not least <= getattr(args, name) <= MOST_ENVS:
             raise ValueError(f"{name} = {getattr(args, name)}: must be at least {least} and at most {MOST_ENVS}")
-    if args.seed < 0:
-        raise ValueError(f"seed = {args.seed}: must be at least 0")
+    most = HELD_OUT_SEED - 2 * args.draws  # the draws tuned on and the others are not those of evaluations
+    if not 0 <= args.seed <= most:
+        raise ValueError(f"seed = {args.seed}: must be at least 0 and, with draws = {args.draws}, at most {most}")
     check_engine(args.engine, args.workers, args.address)
     if args.method == "tpe":
         import_optuna()
@@ -281,7 +282,7 @@ def by_evolution(score: Score, in_use: Any, args: Args) -> None:
         lambda decades: -score([decades])[0],
         list(zip(low, high)),
         init=population,
-        maxiter=max(1, args.candidates // args.population - 1),
+        maxiter=args.candidates // args.population - 1,  # after the first population
         tol=0.0,  # use the whole budget
         rng=args.seed,
         polish=False,

@@ -14,6 +14,7 @@ from heli_gym.baselines.control.weights import TVLQR, WEIGHTS, stored_weights
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.parameters import AMPLIFIER_LIMITS
+from heli_gym.plant import HELD_OUT_SEED
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 REFERENCE = find_reference("climb-7.5")
@@ -83,6 +84,21 @@ def test_the_budget_is_the_same_for_all_and_only_better_weights_replace_those_in
     assert len(flown) == 2 * (24 + 4)  # and the judgement: two sets of weights on two sets of draws
     printed = capsys.readouterr().out
     assert all(f"{weight} = {value:.3g}\n" in printed for weight, value in vars(WEIGHTS[name]).items())
+
+
+@pytest.mark.parametrize(("candidates", "flown"), [(8, 8), (15, 8), (16, 16)])
+def test_evolution_never_flies_more_candidates_than_its_budget(candidates, flown, tmp_path, monkeypatch):
+    monkeypatch.setattr(tune, "returns", lambda envs, policy, seed, objective: np.zeros(2))
+    small = {"policy": "flatness", "reference": "climb-7.5", "draws": 2, "population": 8}
+    tune.main(tune.Args(**small, candidates=candidates, study=tmp_path / "study.json"))
+    assert len(json.loads((tmp_path / "study.json").read_text())["candidates"]) == flown
+
+
+def test_no_search_flies_the_draws_of_evaluations():
+    tune.check(tune.Args(seed=HELD_OUT_SEED - 64, draws=32))
+    for seed in (HELD_OUT_SEED - 63, HELD_OUT_SEED, -1):
+        with pytest.raises(ValueError, match=f"seed = {seed}: must be at least 0 and, with draws = 32, at most"):
+            tune.check(tune.Args(seed=seed, draws=32))
 
 
 @pytest.mark.parametrize("method", ["evolution", "tpe"])
