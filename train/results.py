@@ -23,7 +23,7 @@ from rich.table import Table
 from heli_gym import __version__
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
-from heli_gym.baselines.control.weights import weights_file
+from heli_gym.baselines.control.weights import tuned_name
 from heli_gym.baselines.evaluation.conditions import rig_of
 from heli_gym.baselines.evaluation.engine import check_engine, open_engine, progress_bar
 from heli_gym.baselines.evaluation.metrics import flight_metrics
@@ -77,17 +77,13 @@ class Args:
 
 def policies(args: Args) -> tuple[str, ...]:
     """Names of the classical policies."""
-    return tuple(dict.fromkeys(tuned_for(args.plant, name, args.nominal_rig) for name in args.policies))
+    rig = find_rig(args.nominal_rig)
+    return tuple(dict.fromkeys(tuned_name(name, args.plant, rig) for name in args.policies))
 
 
 def against(args: Args) -> str:
     """Name of the policy to compare the others with."""
-    return tuned_for(args.plant, args.against, args.nominal_rig)
-
-
-def tuned_for(plant: str, name: str, rig: str = "paper") -> str:
-    """Policy name with @PLANT replaced by the plant, or removed if no weights are stored for it."""
-    return name.replace("@PLANT", f"@{plant}" if weights_file(plant, find_rig(rig)).is_file() else "")
+    return tuned_name(args.against, args.plant, find_rig(args.nominal_rig))
 
 
 def policy_metrics(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> np.ndarray:

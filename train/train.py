@@ -42,7 +42,7 @@ from heli_gym.baselines.control.residual import (
     save_learned,
 )
 from heli_gym.baselines.control.residual.step import SINGLE_GROUPS
-from heli_gym.baselines.control.weights import weights_file
+from heli_gym.baselines.control.weights import tuned_name
 from heli_gym.baselines.evaluation.conditions import rig_of
 from heli_gym.baselines.evaluation.digests import learned_digest, reference_digest, rig_digest
 from heli_gym.baselines.evaluation.metrics import HALVING_ERROR, Metrics, flight_metrics
@@ -158,8 +158,8 @@ def with_defaults(args: Args) -> CompleteArgs:
     if args.scale is None:
         low, high = find_rig(rig).voltage_limits
         missing["scale"] = 0.5 * (high - low) if args.mode == "scratch" else high - low
-    tuned = f"@{args.plant}" if weights_file(args.plant, find_rig(rig)).is_file() else ""
-    base = SCRATCH if args.mode == "scratch" else args.base or f"feedforward+tvlqr{tuned}"
+    own = tuned_name("feedforward+tvlqr@PLANT", args.plant, find_rig(rig))
+    base = SCRATCH if args.mode == "scratch" else args.base or own
     return CompleteArgs(**{**vars(args), "rig": rig, "base": base, **missing})
 
 

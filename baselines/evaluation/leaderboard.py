@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from heli_gym.baselines.control.policies import is_learned
-from heli_gym.baselines.control.weights import WEIGHTS, weights_file
+from heli_gym.baselines.control.weights import tuned_name
 from heli_gym.baselines.evaluation.agents import make_pilot
 from heli_gym.baselines.evaluation.conditions import OUTSIDE, find_condition, rig_of
 from heli_gym.baselines.evaluation.engine import Engine
@@ -35,7 +35,7 @@ from heli_gym.baselines.evaluation.statistics import (
 )
 from heli_gym.env import Heli3DOFEnv, reference_for
 from heli_gym.rig import find_rig
-from heli_gym.storage import atomic_write, parse_json, read_json_object, try_lock
+from heli_gym.storage import atomic_write, parse_json, try_lock
 from heli_gym.trajectory import Trajectory
 from heli_gym.validation import is_number
 
@@ -75,13 +75,7 @@ class Settings(NamedTuple):
 
 def policy_on(name: str, plant: str, rig: str = "") -> str:
     """Policy name with @PLANT replaced by the plant, or removed if no weights are stored for it on the rig."""
-    kind, _, suffix = name.partition("@PLANT")
-    if kind == name:
-        return name
-    plant = plant.removesuffix(OUTSIDE)
-    path = weights_file(plant, find_rig(rig or rig_of(plant)))
-    stored = kind in WEIGHTS and path.is_file() and kind in read_json_object(path)
-    return f"{kind}@{plant}{suffix}" if stored else kind + suffix
+    return tuned_name(name, plant.removesuffix(OUTSIDE), find_rig(rig or rig_of(plant)))
 
 
 def batches(policies: Sequence[str], conditions: Sequence[Condition], settings: Settings) -> list[Batch]:

@@ -16,11 +16,14 @@ from stable_baselines3 import PPO  # noqa: E402
 from heli_gym.baselines import make_policy  # noqa: E402
 from heli_gym.baselines.control.residual import LEARNED, ResidualPolicy, load_learned, save_learned  # noqa: E402
 from heli_gym.baselines.control.residual.step import SINGLE_GROUPS  # noqa: E402
+from heli_gym.baselines.control.weights import KALMAN_LQR, TVLQR, store_weights  # noqa: E402
 from heli_gym.baselines.evaluation.metrics import flight_metrics  # noqa: E402
 from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
 from heli_gym.env import find_reference  # noqa: E402
 from heli_gym.train.checkpoint import last_checkpoint, read_checkpoint, save_checkpoint  # noqa: E402
 from heli_gym.train.flight_gradient import LANES  # noqa: E402
+from heli_gym.train.results import Args as ResultsArgs  # noqa: E402
+from heli_gym.train.results import policies  # noqa: E402
 from heli_gym.train.train import (  # noqa: E402
     VALIDATION_SEED,
     Args,
@@ -202,6 +205,18 @@ def test_a_run_is_never_overwritten_and_goes_on_with_its_own_settings_only(tmp_p
         train(replace(args, resume=True, scale=1.0), console)
     train(replace(args, resume=True), console)
     assert (folder / "history.json").read_text() == before
+
+
+def test_the_base_has_tuned_weights_only_where_some_are_stored_for_it_and_not_for_another_policy(tmp_path, monkeypatch):
+    monkeypatch.setattr("heli_gym.baselines.control.weights.stored.TUNED", tmp_path)
+    store_weights("kalman-lqr", "lab", KALMAN_LQR)
+    assert with_defaults(Args()).base == "feedforward+tvlqr"
+    assert policies(ResultsArgs(policies=("feedforward+tvlqr@PLANT", "kalman-lqr@PLANT"))) == (
+        "feedforward+tvlqr",
+        "kalman-lqr@lab",
+    )
+    store_weights("feedforward+tvlqr", "lab", TVLQR)
+    assert with_defaults(Args()).base == "feedforward+tvlqr@lab"
 
 
 def test_a_run_goes_on_with_the_first_network_that_it_was_begun_with_only(tmp_path):

@@ -19,7 +19,13 @@ from heli_gym.baselines.control.weights.design import (
     MpcWeights,
     ObserverWeights,
 )
-from heli_gym.baselines.control.weights.stored import store_weights, stored_weights, weights_file, weights_of
+from heli_gym.baselines.control.weights.stored import (
+    store_weights,
+    stored_weights,
+    tuned_name,
+    weights_file,
+    weights_of,
+)
 
 __all__ = [
     "ADAPTIVE_MPC",
@@ -41,6 +47,7 @@ __all__ = [
     "ObserverWeights",
     "store_weights",
     "stored_weights",
+    "tuned_name",
     "weights_file",
     "weights_of",
 ]

@@ -50,6 +50,16 @@ def stored_weights(name: str, plant: str, rig: Rig = PAPER) -> Any:
         raise ValueError(f"{called}: weights in {path}: {error}") from error
 
 
+def tuned_name(name: str, plant: str, rig: Rig = PAPER) -> str:
+    """Policy name with @PLANT replaced by the plant, or removed if no weights of the policy are stored for it."""
+    kind, mark, suffix = name.partition("@PLANT")
+    if not mark:
+        return name
+    path = weights_file(plant, rig)
+    is_stored = kind in WEIGHTS and path.is_file() and kind in read_json_object(path)
+    return f"{kind}@{plant}{suffix}" if is_stored else kind + suffix
+
+
 def weights_of(name: str, rig: Rig = PAPER) -> Any:
     """Weights of the named policy on a rig, for example of "lqi" or "lqi@lab"."""
     kind, _, plant = name.partition("@")
