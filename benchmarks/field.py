@@ -103,17 +103,20 @@ def fly_field(out: Path, parts: Iterable[str], workers: int) -> None:
     for name in parts:
         part, folder = FIELD[name], out / name
         folder.mkdir(parents=True, exist_ok=True)
-        commits = commits_of(folder) | {commit}
-        with atomic_write(folder / "commits") as file:
-            file.write("\n".join(sorted(commits)).encode())
+        earlier, rows = commits_of(folder), stored_rows(folder)
+        write_commits(folder, earlier | {commit})  # before the flights: a kill leaves none without its commit
         order = f"-m heli_gym.baselines.commands.leaderboard --resume --no-outside --no-pages --episodes {part.draws}"
-        subprocess.run(
-            (
-                *(sys.executable, *order.split(), "--workers", str(workers), "--out", str(folder)),
-                *("--plants", *part.plants, "--policies", *part.policies, "--references", *part.references),
-            ),
-            check=True,
-        )
+        try:
+            subprocess.run(
+                (
+                    *(sys.executable, *order.split(), "--workers", str(workers), "--out", str(folder)),
+                    *("--plants", *part.plants, "--policies", *part.policies, "--references", *part.references),
+                ),
+                check=True,
+            )
+        finally:
+            if stored_rows(folder) == rows:
+                write_commits(folder, earlier)
 
 
 def commit_of_packages() -> str:
@@ -134,6 +137,17 @@ def commits_of(folder: Path) -> set[str]:
     """Commits that a folder was flown from."""
     path = folder / "commits"
     return set(path.read_text().split()) if path.is_file() else set()
+
+
+def write_commits(folder: Path, commits: Iterable[str]) -> None:
+    """Write the commits that a folder was flown from."""
+    with atomic_write(folder / "commits") as file:
+        file.write("\n".join(sorted(commits)).encode())
+
+
+def stored_rows(folder: Path) -> int:
+    """Number of flights in a folder."""
+    return sum(path.read_bytes().count(b"\n") for path in (folder / "flights").glob("*.jsonl"))
 
 
 def flights(folders: Iterable[Path]) -> dict[tuple[str, str, str], dict[int, dict[str, Any]]]:

@@ -3,7 +3,11 @@
 import csv
 import importlib.util
 import re
+import subprocess
+from contextlib import nullcontext
 from pathlib import Path
+
+import pytest
 
 from heli_gym.baselines.evaluation.leaderboard import policy_on
 
@@ -59,3 +63,29 @@ def test_the_page_on_learning_has_the_rows_of_the_published_table():
         errors = [f"{float(row[name + end]):.2f}" for name in names for end in ("", "_low", "_high")]
         errors.append(f"{float(row['cost']):.2f}")
         assert cells == [*errors, row["crashes"], f"{100.0 * float(row['success']):.0f}"], (policy, plant)
+
+
+def test_a_folder_names_only_commits_that_flew_something(tmp_path, monkeypatch):
+    study = load_study()
+    file = tmp_path / "nominal" / "flights" / "zero.jsonl"
+
+    def fly(commit, rows, ends=False):
+        def leaderboard(*args, **kwargs):
+            assert commit in study.commits_of(tmp_path / "nominal")  # should it be killed
+            file.parent.mkdir(exist_ok=True)
+            with open(file, "a") as opened:
+                opened.write("{}\n" * rows)
+            if ends:
+                raise subprocess.CalledProcessError(130, "heli-leaderboard")
+
+        with monkeypatch.context() as patch:
+            patch.setattr(study, "commit_of_packages", lambda: commit)
+            patch.setattr(study.subprocess, "run", leaderboard)
+            with pytest.raises(subprocess.CalledProcessError) if ends else nullcontext():
+                study.fly_field(tmp_path, ["nominal"], 1)
+        return study.commits_of(tmp_path / "nominal")
+
+    assert fly("aaaaaaa", 2) == {"aaaaaaa"}
+    assert fly("bbbbbbb", 0) == {"aaaaaaa"}
+    assert fly("ccccccc", 0, ends=True) == {"aaaaaaa"}
+    assert fly("ddddddd", 1, ends=True) == {"aaaaaaa", "ddddddd"}
