@@ -24,7 +24,7 @@ from heli_gym.baselines.control.residual import (
 from heli_gym.baselines.control.residual.step import FLIGHT_FEATURES, SINGLE_GROUPS, time_features
 from heli_gym.baselines.control.tracking import TrackingPolicy
 from heli_gym.parameters import Coupling
-from heli_gym.plant import ThrustDrift
+from heli_gym.plant import ThrustDrift, lowest
 from heli_gym.rigid_body import RigidBodyParameters
 from heli_gym.simulation import layout, motion
 from heli_gym.simulation.layout import (
@@ -212,6 +212,12 @@ def task_of(
             "plant: must have encoders, no noise, no slew limit, power curves of thrust, and no disturbances but a "
             "drift of thrust; the base's rotors must be alike"
         )
+    for drift in (d for own in simulation.plants for plant in own.alternatives for d in plant.disturbances):
+        if drift.time != 0.0 or lowest(drift.duration) < policy.reference.duration:
+            raise ValueError(
+                f"plant: {drift} must have time = 0 and a duration of at least {policy.reference.duration:g} s, that "
+                "of the reference"
+            )
     if not general and curve.exponent != 2.0:
         raise ValueError("base: its thrust map must be (2) on a plant whose thrust map is (2)")
     T = policy.x.shape[1] - 1

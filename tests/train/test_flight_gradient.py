@@ -11,7 +11,7 @@ from heli_gym.baselines.control.residual import ResidualPolicy  # noqa: E402
 from heli_gym.baselines.evaluation.metrics import flight_metrics  # noqa: E402
 from heli_gym.baselines.evaluation.rollout import fly_many  # noqa: E402
 from heli_gym.env import find_reference, reference_for  # noqa: E402
-from heli_gym.plant import Plant, Push, Sensors, find_plant  # noqa: E402
+from heli_gym.plant import Plant, Push, Sensors, ThrustDrift, Uniform, find_plant  # noqa: E402
 from heli_gym.train.apg import AHEAD, SINGLE_GROUPS, Actor, batch_of, network_of, task_of, weights_of  # noqa: E402
 from heli_gym.train.flight_gradient import (  # noqa: E402
     LANES,
@@ -218,6 +218,16 @@ def test_the_flights_are_those_of_the_network_by_numpy_in_the_environment():
     assert np.median(apart) < 1e-4  # tanh is approximated, and a count more or less of an encoder makes a difference
     assert apart.max() < 0.05
     assert_allclose(cost, expected_cost, atol=5e-3)
+
+
+@pytest.mark.parametrize(
+    "drift", [ThrustDrift(0.05, time=1.0, duration=20.0), ThrustDrift(0.05, duration=Uniform(4.0, 20.0))]
+)
+def test_a_drift_that_is_not_linear_over_the_whole_flight_is_refused(drift):
+    fleet = find_plant("fleet")
+    envs = helicopters(replace(fleet, disturbances=(drift,)), ON_FLEET, "fleet")
+    with pytest.raises(ValueError, match=r"plant: ThrustDrift\(.*\) must have time = 0 and a duration of at least 5 s"):
+        task_of(residual_policy(plant="fleet"), envs, 0.5, 1.0)
 
 
 def test_other_plants_and_bases_are_refused():
