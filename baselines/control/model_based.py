@@ -42,6 +42,7 @@ class Memory(NamedTuple):
     pending: tuple[np.ndarray, ...]  # (2, ...) each in V: commands still in the delay line, oldest first
     integral: np.ndarray  # (2, ...) integrals of the travel and elevation errors in rad s
     start: Any  # control period of the reference at the flight's start; (N,) if flights differ
+    before: tuple[np.ndarray, ...] = ()  # without a delay: state and rotor speeds before the last period
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,7 +130,8 @@ class ModelPolicy(StatefulPolicy):
             expand_batch_dims(start[:, now], measurement) + np.zeros(batch)
             for start in (self.regulator.x, self.regulator.u)
         )
-        return Memory(x, np.zeros((3, *batch)), u, (u,) * self.actuator.delay, np.zeros((2, *batch)), now)
+        before = () if self.actuator.delay else (x, u)
+        return Memory(x, np.zeros((3, *batch)), u, (u,) * self.actuator.delay, np.zeros((2, *batch)), now, before)
 
     def step(self, memory: Memory, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, Memory]:
         now = self.index(t)
@@ -147,19 +149,17 @@ class ModelPolicy(StatefulPolicy):
         error = (x - expand_batch_dims(self.x[:, now], x))[[0, 2]]
         # Anti-windup: stop the integrals while the amplifier saturates.
         integral = memory.integral + self.control_period * error * (u == applied).all(axis=0)
+        before = () if self.actuator.delay else (x, memory.rotors)
         x, rotors = self.predict(x, memory.rotors, pending[0], disturbance)
-        return u, Memory(x, disturbance, rotors, pending[1:], integral, memory.start)
+        return u, Memory(x, disturbance, rotors, pending[1:], integral, memory.start, before)
 
     def with_applied_input(self, memory: Memory, u: np.ndarray) -> Memory:
-        """Memory after a step in which the voltages u (2, ...) in V were applied instead of the policy's own.
-
-        Raises ValueError without a delay, where the policy's own voltages are already simulated.
-        """
-        if not memory.pending:
-            if self.actuator.lag or self.observer is not None:
-                raise ValueError("with_applied_input: without a delay, the last voltages have already been simulated")
-            return memory
-        return memory._replace(pending=(*memory.pending[:-1], np.clip(u, *self.voltage_limits)))
+        """Memory after a step in which the voltages u (2, ...) in V were applied instead of the policy's own."""
+        applied = np.clip(u, *self.voltage_limits)
+        if self.actuator.delay:
+            return memory._replace(pending=(*memory.pending[:-1], applied))
+        x, rotors = self.predict(*memory.before, applied, memory.disturbance)
+        return memory._replace(x=x, rotors=rotors)
 
     def predict(self, x: Any, rotors: Any, u: Any, disturbance: Any, periods: int = 1) -> tuple[np.ndarray, np.ndarray]:
         """State (6, ...) and rotor speeds (2, ...) after a number of control periods at the voltages u (2, ...)."""

@@ -50,6 +50,7 @@ class Memory(NamedTuple):
     estimate: Estimate  # prediction for the next measurement
     pending: tuple[np.ndarray, ...]  # (2, N) each in V: commands still in the delay line, oldest first
     plan: Plan | None
+    before: Estimate | tuple[()] = ()  # without a delay: estimate before the last period
 
     @property
     def disturbance(self) -> np.ndarray:
@@ -92,7 +93,8 @@ class FilteredPolicy(StatefulPolicy):
             self.filter = replace(self.filter, voltage_limits=self.voltage_limits)
         now = np.broadcast_to(self.index(t), (measurement[0].size,))
         x, u = self.x[:, now], self.u[:, now]
-        return Memory(self.filter.init(x, u), (u,) * self.delay, None)
+        estimate = self.filter.init(x, u)
+        return Memory(estimate, (u,) * self.delay, None, () if self.delay else estimate)
 
     def step(self, memory: Memory, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, Memory]:
         angles = measurement.reshape(6, -1)[0::2]
@@ -103,20 +105,18 @@ class FilteredPolicy(StatefulPolicy):
             ahead = self.filter.step(ahead, None, u)
         u, plan = self.control(memory.plan, np.minimum(now + self.delay, self.x.shape[1] - 1), ahead.s)
         applied = np.clip(u, *self.voltage_limits)
-        pending = (*memory.pending, applied)[1:] if self.delay else ()
+        pending, before = (*memory.pending, applied)[1:], ()
         if not self.delay:
-            estimate = self.filter.step(estimate, None, applied)
-        return u.reshape(2, *measurement.shape[1:]).copy(), Memory(estimate, pending, plan)
+            pending, before, estimate = (), estimate, self.filter.step(estimate, None, applied)
+        return u.reshape(2, *measurement.shape[1:]).copy(), Memory(estimate, pending, plan, before)
 
     def with_applied_input(self, memory: Memory, u: np.ndarray) -> Memory:
-        """Memory after a step in which the voltages u (2, ...) in V were applied instead of the policy's own.
-
-        Raises ValueError without a delay, where the policy's own voltages are already simulated.
-        """
-        if not self.delay:
-            raise ValueError("with_applied_input: without a delay, the last voltages have already been simulated")
+        """Memory after a step in which the voltages u (2, ...) in V were applied instead of the policy's own."""
         applied = np.clip(u, *self.voltage_limits).reshape(2, -1)
-        return memory._replace(pending=(*memory.pending[:-1], applied))
+        if self.delay:
+            return memory._replace(pending=(*memory.pending[:-1], applied))
+        assert isinstance(memory.before, Estimate)
+        return memory._replace(estimate=self.filter.step(memory.before, None, applied))
 
     def index(self, t: Any) -> Any:
         """Index of the control period at the time t in s."""

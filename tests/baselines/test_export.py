@@ -12,7 +12,10 @@ from scipy.io import loadmat
 from heli_gym import Maneuver, PowerCurve, Rig, TableCurve, ThrustMap, find_rig
 from heli_gym.baselines import make_policy, plan, riccati_gains
 from heli_gym.baselines.commands.export import Args, export_files, load_controller, main
+from heli_gym.baselines.control.estimation import Actuator
 from heli_gym.baselines.control.export import c_source
+from heli_gym.baselines.control.model_based import kalman_lqr
+from heli_gym.baselines.control.residual import Network, ResidualPolicy
 from heli_gym.cli import CommandError
 from heli_gym.env import Heli3DOFEnv, find_reference, reference_for
 
@@ -260,3 +263,17 @@ def test_both_precisions_answer_the_same_measurements_of_encoders_alike(name, tm
         answers.append(np.array([compiled(t, y) for t, y in measured]))
     assert_allclose(answers[1], answers[0], atol=1e-3 * 12.0)
     assert np.median(np.abs(answers[1] - answers[0])) < 1e-4 * 12.0
+
+
+@needs_cc
+@pytest.mark.parametrize("delay", [0, 1])
+def test_c_and_python_simulate_the_corrected_voltages_with_and_without_a_delay(delay, tmp_path):
+    base = kalman_lqr(TRAVEL_360, PERIOD, TRAVEL_360.rig, actuator=Actuator(0.1, delay))
+    rng = np.random.default_rng(1)
+    groups = ("error", "voltages", "estimate")
+    network = Network((0.3 * rng.standard_normal((2, 17)),), (0.3 * rng.standard_normal(2),), True)
+    policy = ResidualPolicy(base, TRAVEL_360, network, 3.0, feature_groups=groups)
+    mine = flown(CPolicy(policy, TRAVEL_360.rig, "double", tmp_path), TRAVEL_360, "lab")
+    theirs = flown(policy, TRAVEL_360, "lab")
+    assert_allclose(mine[0], theirs[0], rtol=0.0, atol=1e-9)
+    assert_allclose(mine[1], theirs[1], rtol=0.0, atol=1e-7)

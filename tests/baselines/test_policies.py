@@ -12,12 +12,14 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym import HelicopterParameters
 from heli_gym.baselines import POLICIES, fly, make_policy, riccati_gains
+from heli_gym.baselines.control.adaptive_filter import LAG
 from heli_gym.baselines.control.estimation import IDEAL, Actuator
 from heli_gym.baselines.control.model_based import kalman_lqr, lag_lqi, lag_lqr
 from heli_gym.baselines.control.weights import LAG_LQR, LQI, TVLQR, WEIGHTS, store_weights
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import Plant, Push, Rotors
+from heli_gym.rig import PAPER
 from heli_gym.task import to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
@@ -295,6 +297,27 @@ def test_a_residual_policy_corrects_the_base_as_the_amplifier_that_it_is_made_fo
     u_base = policy.base(0.0, measurement)
     assert u_base.max() > 9.0
     assert (np.abs(policy(0.0, measurement) - np.clip(u_base, 0.0, 9.0)) <= policy.scale).all()
+
+
+@pytest.mark.parametrize("delay", [0, 1, 3])
+@pytest.mark.parametrize("name", ["lag-lqr", "kalman-lqr", "adaptive-lqr"])
+def test_voltages_that_were_applied_in_place_of_its_own_turn_the_rotors_of_a_policys_model(name, delay):
+    rig = replace(PAPER, delay=0.02 * delay)
+    reference = replace(REFERENCE, rig=rig)
+    policy, x = make_policy(name, reference, rig=rig), REFERENCE(0.0)[0]
+    start = policy.init(0.0, x)
+    own, after = policy.step(start, 0.0, x)
+    applied = np.array([3.0, 11.0])
+    changed = policy.with_applied_input(after, applied)
+    unchanged = policy.with_applied_input(changed, own)
+    for k in range(1, delay + 1):
+        changed, unchanged = (policy.step(memory, 0.02 * k, x)[1] for memory in (changed, unchanged))
+        after = policy.step(after, 0.02 * k, x)[1]
+    assert_array_equal(unchanged.rotors, after.rotors)
+    lag = rig.lag if name != "adaptive-lqr" else changed.estimate.s[LAG, 0]
+    share = 1.0 - math.exp(-0.02 / lag)
+    difference = (changed.rotors - unchanged.rotors).reshape(2)
+    assert_allclose(difference, share * (applied - own), rtol=2e-2 if name == "adaptive-lqr" else 1e-9)
 
 
 def test_the_middle_voltage_is_that_of_the_amplifier():

@@ -9,7 +9,7 @@ from independent import EitherReference
 from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym.baselines import ResidualAction, VectorResidualAction, fly, make_policy
-from heli_gym.env import find_reference
+from heli_gym.env import find_reference, reference_for
 
 SHORT = find_reference("climb-7.5")
 BASES = ("feedforward+tvlqr", "lag-lqr", "kalman-lqr", "lqi")
@@ -180,3 +180,11 @@ def test_the_base_is_made_for_the_rig_of_the_environment(rig):
     for _ in range(len(steps) - 1):
         *_, info = envs.step(np.zeros((2, 2)))
     assert info["is_success"].all()
+
+
+@pytest.mark.parametrize("base", ["kalman-lqr", "adaptive-lqr"])
+def test_without_a_whole_period_of_delay_zero_flies_the_base_bit_for_bit(base):
+    reference = reference_for("climb-7.5", "quanser")
+    expected = fly(gym.make("Heli3DOF-v0", rig="quanser", reference=reference), make_policy(base, reference), seed=3)
+    steps = flight(ResidualAction(gym.make("Heli3DOF-v0", rig="quanser", reference=reference), base), 3, np.zeros(2))
+    assert_array_equal(np.array([info["state"] for _, info in steps]).T, expected.x)

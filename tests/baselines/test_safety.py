@@ -7,7 +7,7 @@ from numpy.testing import assert_array_equal
 from heli_gym.baselines import fly, make_policy
 from heli_gym.baselines.control.protocol import MemorylessPolicy
 from heli_gym.baselines.control.safety import safety_filter
-from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.env import Heli3DOFEnv, find_reference, reference_for
 from heli_gym.plant import Plant, Rotors
 from heli_gym.rig import PAPER
 
@@ -51,3 +51,11 @@ def test_the_filter_broadcasts():
     for i in range(4):
         policy.reset(np.random.default_rng(0))
         np.testing.assert_allclose(policy(0.0, x[:, i]), together[:, i], rtol=1e-12)
+
+
+@pytest.mark.parametrize("name", ["lag-lqr", "kalman-lqr", "adaptive-lqr"])
+def test_on_a_rig_without_a_whole_period_of_delay_too_the_policy_flies_bit_for_bit(name):
+    reference = reference_for("climb-7.5", "quanser")
+    env = Heli3DOFEnv(reference=reference, rig="quanser")
+    plain, safe = (fly(env, make_policy(one, reference), seed=0) for one in (name, f"{name}+safe"))
+    assert_array_equal(safe.u, plain.u)

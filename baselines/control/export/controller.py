@@ -164,7 +164,7 @@ def add_residual(source: CSource, policy: ResidualPolicy) -> None:
     groups = {group for group in policy.feature_groups if group != "estimate" or on_model}
     inputs = (network.weight_input if isinstance(network, RecurrentNetwork) else head.weights[0]).shape[1]
     hidden = network.size if isinstance(network, RecurrentNetwork) else 1
-    corrects = isinstance(policy.base, ModelPolicy) and policy.scale > 0.0 and policy.base.actuator.delay > 0
+    corrects = isinstance(policy.base, ModelPolicy) and policy.scale > 0.0
     source.define(
         SCALE=policy.scale,
         SATURATED_FIRST=policy.law == "saturated",

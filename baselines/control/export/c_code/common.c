@@ -6,6 +6,15 @@
 
 #define LAST (SAMPLES - 1)
 
+/* Index of the sample nearest to the time t; what is no number counts as the start. */
+static inline int index_of(real t) {
+    const real s = t / PERIOD + REAL(0.5);
+    if (!(s > REAL(0.0))) {
+        return 0;
+    }
+    return s < (real)LAST ? (int)s : LAST;
+}
+
 /* The nearest voltage that the amplifier can give; what is no number is the voltage nearest to zero. */
 static real saturate(real u) {
     if (!(u >= U_MIN)) {

@@ -1,14 +1,6 @@
 /* A regulator on a model that runs along: of rotors and delay and, with an observer, of disturbances. */
 
-static int index_of(real t) {
-    const real s = t / PERIOD + REAL(0.5);
-    if (!(s > REAL(0.0))) {
-        return 0;
-    }
-    return s < (real)LAST ? (int)s : LAST;
-}
-
-static struct {
+static struct model {
     int started, start;
     real x[6];                  /* state, predicted */
     real carry[6];              /* what rounding has taken off it (Kahan's summation) */

@@ -100,6 +100,23 @@ static void recur(const real *features) {
 }
 #endif
 
+#if CORRECTS_MODEL && !DELAY
+/* The last period of the model, from its state before, with the voltages u in place of the base's. */
+static void simulate_again(const struct model *before, const real u[2]) {
+    real change[6];
+    for (int i = 0; i < 6; i++) {
+        memory.x[i] = before->x[i];
+        memory.carry[i] = before->carry[i];
+    }
+    memory.rotors[0] = before->rotors[0];
+    memory.rotors[1] = before->rotors[1];
+    predict(memory.x, memory.rotors, u, PERIOD, change);
+    for (int i = 0; i < 6; i++) {
+        add(i, change[i]);
+    }
+}
+#endif
+
 void heli_reset(void) {
     base_reset();
     for (int i = 0; i < 2; i++) {
@@ -119,10 +136,13 @@ void heli_step(real t, const real y[6], real u[2]) {
     static const real tolerance[6] = TOLERANCE;
     static real features[WIDEST], layer[WIDEST];
     real base[2], applied[2], action[2];
-    int k = (int)clip(t / PERIOD + REAL(0.5), REAL(0.0), (real)LAST);
+    const int k = index_of(t);
     base_control(t, y, base);
     applied[0] = saturate(base[0]);
     applied[1] = saturate(base[1]);
+#if CORRECTS_MODEL && !DELAY
+    const struct model before = memory;
+#endif
     base_remember(t, base, applied);
     observe(k, y, base, features);
     network(features, layer);
@@ -130,9 +150,11 @@ void heli_step(real t, const real y[6], real u[2]) {
         action[i] = clip(features[i], -REAL(1.0), REAL(1.0));
         u[i] = saturate((SATURATED_FIRST ? applied[i] : base[i]) + SCALE * action[i]);
     }
-#if CORRECTS_MODEL
+#if CORRECTS_MODEL && DELAY
     memory.pending[DELAY - 1][0] = u[0];
     memory.pending[DELAY - 1][1] = u[1];
+#elif CORRECTS_MODEL
+    simulate_again(&before, u);
 #endif
     for (int i = PAST - 1; i > 0; i--) {
         for (int j = 0; j < 5; j++) {
