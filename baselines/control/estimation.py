@@ -78,16 +78,22 @@ def disturbed_dynamics(x: Any, v: Any, disturbance: Any, parameters: HelicopterP
 def discretise(A: np.ndarray, B: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:
     """Transitions (K, n, n) and (K, n, m) over dt seconds of the systems A (K, n, n), B (K, n, m) with held inputs.
 
-    The matrix exponential is a Taylor series up to order four, as in a Runge-Kutta step of order four.
+    The matrix exponential is a Taylor series up to order four, as in a Runge-Kutta step of order four. Where dt is too
+    long for it, it is that of a fraction of dt, squared repeatedly (scaling and squaring; Moler and Van Loan, "Nineteen
+    dubious ways to compute the exponential of a matrix, twenty-five years later", SIAM Review 45(1), 2003).
     """
     n, m = B.shape[1:]
     term = np.broadcast_to(np.eye(n + m), (len(A), n + m, n + m))
     generator = np.zeros_like(term)
     generator[:, :n] = np.concatenate((A, B), axis=2)
-    total = term
+    norm = dt * float(np.abs(generator).sum(axis=1).max())
+    squarings = 0 if norm <= 1.0 else 2 + math.ceil(math.log2(norm))
+    step, total = dt / 2**squarings, term
     for k in range(1, 5):
-        term = dt / k * generator @ term
+        term = step / k * generator @ term
         total = total + term
+    for _ in range(squarings):
+        total = total @ total
     return total[:, :n, :n], total[:, :n, n:]
 
 

@@ -12,6 +12,7 @@ from scipy.linalg import expm, solve_discrete_are
 
 from heli_gym import HelicopterParameters, Limits, linearise
 from heli_gym.baselines import make_policy
+from heli_gym.baselines.control.discrete_lqr import augmented
 from heli_gym.baselines.control.estimation import (
     ENCODER_NOISE,
     Noise,
@@ -92,6 +93,17 @@ def test_discretised_systems_are_the_matrix_exponentials():
         exact = expm(DT * np.block([[a, b], [np.zeros((2, 7))]]))
         assert_allclose(transition, exact[:5, :5], atol=1e-7)
         assert_allclose(gain, exact[:5, 5:], atol=1e-7)
+
+
+@pytest.mark.parametrize(("lag", "dt"), [(1e-3, 0.04), (5e-3, 0.02), (0.02, 0.1), (0.1, 1.0)])
+def test_discretised_systems_are_the_matrix_exponentials_for_periods_beyond_the_rotors_lag(lag, dt):
+    x, v = hovering(1.0)
+    system = augmented(*(np.moveaxis(part, -1, 0) for part in linearise(x, v, HelicopterParameters())), lag, True)
+    A, B = (part[:1] for part in system)
+    (transition,), (gain,) = discretise(A, B, dt)
+    exact = expm(dt * np.block([[A[0], B[0]], [np.zeros((2, 12))]]))
+    assert_allclose(transition, exact[:10, :10], atol=1e-4)
+    assert_allclose(gain, exact[:10, 10:], atol=1e-4)
 
 
 # The filter
