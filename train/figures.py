@@ -74,8 +74,9 @@ class Recording:
     def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
         self.base.append(np.clip(self.policy.base(t, measurement), *self.policy.voltage_limits))
         u = self.policy(t, measurement)
-        if self.policy.memory is not None and self.policy.memory.hidden is not None:
-            self.hidden.append(self.policy.memory.hidden)
+        hidden = getattr(self.policy.memory, "hidden", None)
+        if hidden is not None:
+            self.hidden.append(hidden)
         return u
 
 

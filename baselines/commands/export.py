@@ -178,7 +178,8 @@ heli_reset();                 /* before every flight */
 heli_step(t, y, u);           /* every {period:g} s: t in s from 0 on, y (6) as above, u (2) in V, saturated */
 ```
 
-`t` outside the reference holds its ends. {between} A `y` that is no number gives the voltage nearest to zero.
+`t` outside the reference holds its ends. {between} A `y` that is no number gives the voltage nearest to zero and
+updates nothing but the simulated rotors and state; the next measurement is answered as usual.
 """
 
 PREDICTED = """

@@ -66,10 +66,10 @@ def apply_gains(gains: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def step_index(t: Any, control_period: float, last: int) -> Any:
-    """Index of the control period at the time t in s, at most `last`; (N,) for N times."""
+    """Index of the control period at the time t in s, from 0 to `last`; (N,) for N times."""
     if np.ndim(t):
-        return np.minimum(np.round(np.asarray(t) / control_period).astype(int), last)
-    return min(round(t / control_period), last)
+        return np.clip(np.round(np.asarray(t) / control_period).astype(int), 0, last)
+    return min(max(round(t / control_period), 0), last)
 
 
 def assign_columns(old: Any, new: Any, columns: np.ndarray) -> Any:

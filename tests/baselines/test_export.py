@@ -6,7 +6,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 from scipy.io import loadmat
 
 from heli_gym import Maneuver, PowerCurve, Rig, TableCurve, ThrustMap, find_rig
@@ -140,6 +140,43 @@ def test_a_measurement_that_is_no_number_gives_the_voltage_nearest_to_zero(tmp_p
     c_policy = CPolicy(policy, TRAVEL_360.rig, "double", tmp_path)
     assert c_policy(0.0, np.full(6, np.nan)).tolist() == [0.0, 0.0]
     assert np.isfinite(c_policy(np.nan, np.zeros(6))).all()
+
+
+@needs_cc
+@pytest.mark.parametrize("name", ["feedforward+tvlqr", *STATEFUL, "residual"])
+def test_after_a_measurement_that_is_no_number_the_flight_goes_on(name, tmp_path):
+    c_policy = CPolicy(make_policy(name, TRAVEL_360, PERIOD), TRAVEL_360.rig, "double", tmp_path)
+
+    class Interrupted:
+        def reset(self, rng):
+            c_policy.reset(rng)
+
+        def __call__(self, t, measurement):
+            missed = round(t / PERIOD) in (0, 100)
+            u = c_policy(t, np.full(6, np.nan) if missed else measurement)
+            assert np.isfinite(u).all() and (not missed or (u == 0.0).all())
+            return u
+
+    x, _ = flown(Interrupted(), TRAVEL_360, "nominal")
+    assert len(x) == 501
+    assert_allclose(x[-1, [0, 2]], TRAVEL_360.x[[0, 2], -1], atol=0.05)
+
+
+@needs_cc
+def test_a_time_that_is_no_number_counts_as_the_start(tmp_path):
+    c_policy, x = CPolicy(make_policy("residual", TRAVEL_360), TRAVEL_360.rig, "double", tmp_path), TRAVEL_360.x[:, 0]
+    c_policy.reset(None)
+    first = c_policy(0.0, x)
+    for t in (np.nan, -1.0):
+        c_policy.reset(None)
+        assert_array_equal(c_policy(t, x), first)
+
+
+@needs_cc
+def test_a_regulator_on_the_angles_needs_no_rates(tmp_path):
+    c_policy = CPolicy(make_policy("kalman-lqr", TRAVEL_360), TRAVEL_360.rig, "double", tmp_path)
+    c_policy.reset(None)
+    assert (c_policy(0.0, TRAVEL_360.x[:, 0] + 3 * [0.0, np.nan]) > 1.0).all()
 
 
 @needs_cc

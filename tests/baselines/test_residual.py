@@ -1,4 +1,6 @@
+import copy
 import json
+import pickle
 from itertools import pairwise
 from pathlib import Path
 
@@ -258,3 +260,23 @@ def test_weights_that_are_not_finite_are_refused(tmp_path):
     save_learned(tmp_path / "one", Learned("zero", 1.0, "climb-7.5", "lab", 0.02, 4, (16, 8), False), bad)
     with pytest.raises(ValueError, match=r"1\.weight: must hold finite numbers"):
         load_learned(tmp_path / "one")
+
+
+@pytest.mark.parametrize("base", ["feedforward+tvlqr", "kalman-lqr"])
+def test_before_the_start_of_the_reference_its_first_sample_counts(base):
+    alone, together = (ResidualPolicy(make_policy(base, SHORT), SHORT, nothing, 1.0) for _ in range(2))
+    start = START + 0.01
+    assert_array_equal(alone(-0.02, start), make_policy(base, SHORT)(0.0, start))
+    u = together(np.array([-0.5, 0.0]), np.stack((start, start), axis=1))
+    assert_array_equal(u[:, 0], u[:, 1])
+    assert_array_equal(make_policy("residual", SHORT)(-0.02, start), make_policy("residual", SHORT)(0.0, start))
+
+
+@pytest.mark.parametrize("duplicate", [copy.deepcopy, lambda policy: pickle.loads(pickle.dumps(policy))])
+def test_a_copy_of_a_learned_policy_flies_on_as_the_policy_itself(duplicate):
+    policy = make_policy("residual", SHORT)
+    for k in range(20):
+        policy(0.02 * k, SHORT.x[:, k] + 0.01)
+    other = duplicate(policy)
+    for k in range(20, 40):
+        assert_array_equal(other(0.02 * k, SHORT.x[:, k] - 0.01), policy(0.02 * k, SHORT.x[:, k] - 0.01))

@@ -35,10 +35,11 @@ def c_source(policy: Policy, rig: Rig, name: str, precision: str = "double") -> 
     """
     source, title = CSource(precision), f"{name} for the rig {rig.name}"
     source.use("common.c")
-    low, high = rig.voltage_limits
+    low, high = getattr(policy, "voltage_limits", rig.voltage_limits)
     core = policy.base if isinstance(policy, ResidualPolicy) else policy
     period = getattr(policy, "control_period", rig.sample_time)
-    source.define(PERIOD=period, U_MIN=low, U_MAX=high, SAFE_VOLTAGE=min(max(0.0, low), high))
+    angles_only = isinstance(policy, ModelPolicy) and policy.observer is not None
+    source.define(PERIOD=period, U_MIN=low, U_MAX=high, SAFE_VOLTAGE=min(max(0.0, low), high), ANGLES_ONLY=angles_only)
     add_base(source, core, rig, name)
     if isinstance(policy, ResidualPolicy):
         add_residual(source, policy)

@@ -43,7 +43,7 @@ class Memory(NamedTuple):
 
 
 @dataclass(eq=False)
-class ResidualPolicy:
+class ResidualPolicy(StatefulPolicy):
     """Base policy with a learned correction; with scale 0 it flies the base policy bit for bit.
 
     Args:
@@ -70,7 +70,7 @@ class ResidualPolicy:
     feature_groups: tuple[str, ...] = tuple(FEATURE_GROUPS)
     law: str = "saturated"
     ahead: tuple[float, ...] = AHEAD
-    memory: Memory | None = field(default=None, init=False, repr=False)
+    memory: Memory | np.ndarray | None = field(default=None, init=False, repr=False)  # an array: of `single_step`
     single_step: SingleStep | None = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -93,48 +93,67 @@ class ResidualPolicy:
         return self.x
 
     def reset(self, rng: np.random.Generator) -> None:
-        """Clear the memory of the last flight."""
+        """Clear the memory of the last flight, also the base policy's."""
+        super().reset(rng)
         self.base.reset(rng)
-        self.memory = None  # includes the memory of the base policy
-        if self.single_step is not None:
-            self.single_step.reset()
 
-    def __call__(self, t: float | np.ndarray, measurement: np.ndarray) -> np.ndarray:
-        measurement = np.asarray(measurement, dtype=float)
-        if self.memory is None and measurement.ndim == 1 and np.ndim(t) == 0:
+    def init(self, t: float | np.ndarray, measurement: np.ndarray) -> Memory | np.ndarray:
+        """Memory without errors and corrections, of `single_step` for one helicopter if it serves the policy."""
+        if measurement.ndim == 1 and np.ndim(t) == 0:
             if self.single_step is None and SingleStep.serves(self):
                 self.single_step = SingleStep(self)
             if self.single_step is not None:
-                return self.single_step(float(t), measurement)
-        u_base, features = self.observe(t, measurement)
+                return self.single_step.init()
+        return self.init_general(t, measurement)
+
+    def init_general(self, t: float | np.ndarray, measurement: np.ndarray) -> Memory:
+        """Memory of one helicopter or many without errors and corrections."""
+        batch = measurement.shape[1:]
+        base = self.base.init(t, measurement) if isinstance(self.base, StatefulPolicy) else None
+        hidden = np.zeros((self.network.size, *batch)) if isinstance(self.network, RecurrentNetwork) else None
+        return Memory(base, np.zeros((2, *batch)), np.zeros((max(self.past_steps), 5, *batch)), hidden)
+
+    def step(
+        self, memory: Memory | np.ndarray, t: float | np.ndarray, measurement: np.ndarray
+    ) -> tuple[np.ndarray, Memory | np.ndarray]:
+        if not isinstance(memory, Memory):
+            assert self.single_step is not None
+            return self.single_step(memory, float(t), measurement)
+        u_base, features, memory = self.step_base(memory, t, measurement)
         if isinstance(self.network, RecurrentNetwork):
-            assert self.memory is not None
-            hidden = self.memory.hidden
-            if hidden is None:
-                hidden = np.zeros((self.network.size, *features.shape[1:]))
-            action, hidden = self.network(features, hidden)
-            self.memory = self.memory._replace(hidden=hidden)
+            action, hidden = self.network(features, memory.hidden)
+            memory = memory._replace(hidden=hidden)
         else:
             action = self.network(features)
-        return self.correct(t, measurement, u_base, np.clip(action, -1.0, 1.0))
+        return self.add_correction(memory, t, measurement, u_base, np.clip(action, -1.0, 1.0))
+
+    def with_applied_input(self, memory: Memory | np.ndarray, u: np.ndarray) -> Memory | np.ndarray:
+        """Memory after a step in which the voltages u (2, ...) in V were applied instead of the policy's own."""
+        if isinstance(memory, Memory) and hasattr(self.base, "with_applied_input"):
+            return memory._replace(base=self.base.with_applied_input(memory.base, u))
+        return memory
 
     def observe(self, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Voltages (2, ...) in V of the base policy, and features (F, ...) for the network."""
+        """Voltages (2, ...) in V of the base policy, and features (F, ...) for the network; stores the memory."""
+        memory = self.memory if isinstance(self.memory, Memory) else self.init_general(t, measurement)
+        u_base, features, self.memory = self.step_base(memory, t, measurement)
+        return u_base, features
+
+    def step_base(
+        self, memory: Memory, t: float | np.ndarray, measurement: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, Memory]:
+        """Voltages (2, ...) in V of the base policy, features (F, ...), and the memory after the base's step."""
         k = step_index(t, self.control_period, self.x.shape[1] - 1)
-        if self.memory is None:
-            batch = measurement.shape[1:]
-            base = self.base.init(t, measurement) if isinstance(self.base, StatefulPolicy) else None
-            self.memory = Memory(base, np.zeros((2, *batch)), np.zeros((max(self.past_steps), 5, *batch)))
         if isinstance(self.base, StatefulPolicy):
-            u_base, base = self.base.step(self.memory.base, t, measurement)
-            self.memory = self.memory._replace(base=base)
+            u_base, base = self.base.step(memory.base, t, measurement)
+            memory = memory._replace(base=base)
         else:
             u_base = self.base(t, measurement)
         error = measurement - expand_batch_dims(self.x[:, k], measurement)
-        past = self.memory.past
+        past = memory.past
         groups = {
             "error": [error / expand_batch_dims(np.array(TOLERANCE), measurement)],
-            "integral": [self.memory.integral / INTEGRAL_SCALE],
+            "integral": [memory.integral / INTEGRAL_SCALE],
             "voltages": [
                 normalise_voltage(u_base, self.voltage_limits),
                 normalise_voltage(
@@ -148,11 +167,11 @@ class ResidualPolicy:
         }
         if isinstance(self.base, ModelPolicy):
             groups["estimate"] = [
-                self.memory.base.disturbance / DISTURBANCE_SCALE,
-                normalise_voltage(self.memory.base.rotors, self.voltage_limits),
+                memory.base.disturbance / DISTURBANCE_SCALE,
+                normalise_voltage(memory.base.rotors, self.voltage_limits),
             ]
         rows = [row for group in FEATURE_GROUPS if group in self.feature_groups for row in groups[group]]
-        return u_base, np.clip(np.concatenate(rows), -FEATURE_CLIP, FEATURE_CLIP)
+        return u_base, np.clip(np.concatenate(rows), -FEATURE_CLIP, FEATURE_CLIP), memory
 
     def correct(
         self, t: float | np.ndarray, measurement: np.ndarray, u_base: np.ndarray, action: np.ndarray
@@ -161,22 +180,24 @@ class ResidualPolicy:
 
         Raises ValueError before `observe`.
         """
-        if self.memory is None:
+        if not isinstance(self.memory, Memory):
             raise ValueError("correct: comes after observe")
+        u, self.memory = self.add_correction(self.memory, t, measurement, u_base, action)
+        return u
+
+    def add_correction(
+        self, memory: Memory, t: float | np.ndarray, measurement: np.ndarray, u_base: np.ndarray, action: np.ndarray
+    ) -> tuple[np.ndarray, Memory]:
+        """Voltages (2, ...) in V of base policy and action (2, ...), and the next memory."""
         k = step_index(t, self.control_period, self.x.shape[1] - 1)
         if self.law == "saturated":
             u_base = np.clip(u_base, *self.voltage_limits)
         u = u_base + self.scale * action if self.scale else u_base
-        base = self.memory.base
+        base = memory.base
         if isinstance(self.base, ModelPolicy) and self.scale:
             base = self.base.with_applied_input(base, u)
         error = (measurement - expand_batch_dims(self.x[:, k], measurement))[0::2]
         tolerances = expand_batch_dims(np.array(TOLERANCE[0::2]), measurement)
         now = np.concatenate((error / tolerances, action))[None]
-        self.memory = Memory(
-            base,
-            self.memory.integral + self.control_period * error[:2],
-            np.concatenate((now, self.memory.past[:-1])),
-            self.memory.hidden,
-        )
-        return u
+        integral = memory.integral + self.control_period * error[:2]
+        return u, Memory(base, integral, np.concatenate((now, memory.past[:-1])), memory.hidden)

@@ -37,7 +37,8 @@ class SingleStep:
     """Control step of one helicopter, several times faster than the general one and equal to it to rounding.
 
     It serves recurrent corrections, with the feature groups of `SINGLE_GROUPS`, of a feedforward with state feedback.
-    Products with features of time alone are computed beforehand; the memory of the flight is in arrays of its own.
+    Products with features of time alone are computed beforehand. The memory of a flight is one vector: the hidden state
+    of the cell, and its inputs, the features of the last step.
 
     Args:
         policy: policy whose step is computed.
@@ -72,10 +73,8 @@ class SingleStep:
         front, back = base.rig.thrust_map.front, base.rig.thrust_map.back
         assert isinstance(front, PowerCurve) and isinstance(back, PowerCurve)  # `serves`
         self.front, self.back = front, back
-        self.input = np.zeros(n + 10)
-        self.hidden, self.features = self.input[:n], self.input[n:]
-        self.gates, self.reset_gate, self.update = (gates := np.empty(2 * n)), gates[:n], gates[n:]
-        self.new, self.old = np.empty(n), np.empty(n)
+        self.size = n
+        self.gates, self.new, self.old = np.empty(2 * n), np.empty(n), np.empty(n)
 
     @staticmethod
     def serves(policy: "ResidualPolicy") -> bool:
@@ -92,14 +91,15 @@ class SingleStep:
             and policy.scale > 0.0
         )
 
-    def reset(self) -> None:
-        """Clear the memory of the last flight."""
-        self.input[:] = 0.0
+    def init(self) -> np.ndarray:
+        """Memory before the first step of a flight."""
+        return np.zeros(self.size + len(FLIGHT_FEATURES))
 
-    def __call__(self, t: float, measurement: np.ndarray) -> np.ndarray:
-        """Voltages (2,) in V for a measured state (6,)."""
-        k = min(round(t / self.period), self.last)
-        low, high, features = self.low, self.high, self.features
+    def __call__(self, memory: np.ndarray, t: float, measurement: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Voltages (2,) in V for a measured state (6,), and the next memory."""
+        k = min(max(round(t / self.period), 0), self.last)
+        n, low, high, memory = self.size, self.low, self.high, memory.copy()
+        hidden, features = memory[:n], memory[n:]
         error = measurement - self.x[k]
         v1, v2 = (self.v[k] - self.gains[k] @ error).tolist()
         front, back = voltage_of(self.front, 0.5 * (v1 + v2)), voltage_of(self.back, 0.5 * (v1 - v2))
@@ -108,25 +108,24 @@ class SingleStep:
         features[7] = (back - 0.5 * (low + high)) / (0.5 * (high - low))
         np.minimum(features, FEATURE_CLIP, out=features)
         np.maximum(features, -FEATURE_CLIP, out=features)
-        gates, update, new, old, hidden = self.gates, self.update, self.new, self.old, self.hidden
-        np.dot(self.gate_weights, self.input, out=gates)
+        gates, new, old = self.gates, self.new, self.old
+        np.dot(self.gate_weights, memory, out=gates)
         gates += self.gate_bias[k]
         np.tanh(gates, out=gates)
         gates += 1.0
         gates *= 0.5
         np.dot(self.old_weights, hidden, out=old)
         old += self.old_bias
-        old *= self.reset_gate
+        old *= gates[:n]
         np.dot(self.new_weights, features, out=new)
         new += self.new_bias[k]
         new += old
         np.tanh(new, out=new)
         hidden -= new
-        hidden *= update
+        hidden *= gates[n:]
         hidden += new
         action = np.tanh(self.head @ hidden + self.head_bias)
         features[8:] = action
         a_front, a_back = action.tolist()
-        return np.array(
-            (min(max(front, low), high) + self.scale * a_front, min(max(back, low), high) + self.scale * a_back)
-        )
+        u = min(max(front, low), high) + self.scale * a_front, min(max(back, low), high) + self.scale * a_back
+        return np.array(u), memory

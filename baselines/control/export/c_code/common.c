@@ -15,6 +15,16 @@ static inline int index_of(real t) {
     return s < (real)LAST ? (int)s : LAST;
 }
 
+/* Whether all of y that is read are numbers. */
+static int is_measured(const real y[6]) {
+    for (int i = 0; i < 6; i += ANGLES_ONLY ? 2 : 1) {
+        if (!isfinite(y[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* The nearest voltage that the amplifier can give; what is no number is the voltage nearest to zero. */
 static real saturate(real u) {
     if (!(u >= U_MIN)) {

@@ -117,13 +117,8 @@ static void base_control(real t, const real y[6], real u[2]) {
 }
 
 /* Remembers what was commanded, and simulates the model a period on. */
-static void base_remember(real t, const real u[2], const real applied[2]) {
-    const int now = index_of(t);
+static void run_on(const real applied[2]) {
     real change[6];
-    if (u[0] == applied[0] && u[1] == applied[1]) { /* anti-windup */
-        memory.integral[0] += PERIOD * (memory.x[0] - STATE[now][0]);
-        memory.integral[1] += PERIOD * (memory.x[2] - STATE[now][2]);
-    }
     memory.pending[DELAY][0] = applied[0];
     memory.pending[DELAY][1] = applied[1];
     predict(memory.x, memory.rotors, memory.pending[0], PERIOD, change);
@@ -136,4 +131,20 @@ static void base_remember(real t, const real u[2], const real applied[2]) {
         memory.pending[k][1] = memory.pending[k + 1][1];
     }
 #endif
+}
+
+static void base_remember(real t, const real u[2], const real applied[2]) {
+    const int now = index_of(t);
+    if (u[0] == applied[0] && u[1] == applied[1]) { /* anti-windup */
+        memory.integral[0] += PERIOD * (memory.x[0] - STATE[now][0]);
+        memory.integral[1] += PERIOD * (memory.x[2] - STATE[now][2]);
+    }
+    run_on(applied);
+}
+
+/* A period without a measurement: the model goes on alone. */
+static void base_miss(const real applied[2]) {
+    if (memory.started) {
+        run_on(applied);
+    }
 }

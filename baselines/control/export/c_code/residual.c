@@ -137,6 +137,11 @@ void heli_step(real t, const real y[6], real u[2]) {
     static real features[WIDEST], layer[WIDEST];
     real base[2], applied[2], action[2];
     const int k = index_of(t);
+    if (!is_measured(y)) {
+        u[0] = u[1] = SAFE_VOLTAGE;
+        base_miss(u);
+        return;
+    }
     base_control(t, y, base);
     applied[0] = saturate(base[0]);
     applied[1] = saturate(base[1]);

@@ -36,3 +36,7 @@ static void base_remember(real t, const real wanted[2], const real applied[2]) {
     (void)wanted;
     (void)applied;
 }
+
+static void base_miss(const real applied[2]) {
+    (void)applied;
+}
