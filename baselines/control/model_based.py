@@ -158,7 +158,8 @@ class ModelPolicy(StatefulPolicy):
         applied = np.clip(u, *self.voltage_limits)
         if self.actuator.delay:
             return memory._replace(pending=(*memory.pending[:-1], applied))
-        x, rotors = self.predict(*memory.before, applied, memory.disturbance)
+        before, rotors = memory.before
+        x, rotors = self.predict(before, rotors, applied, memory.disturbance)
         return memory._replace(x=x, rotors=rotors)
 
     def predict(self, x: Any, rotors: Any, u: Any, disturbance: Any, periods: int = 1) -> tuple[np.ndarray, np.ndarray]:

@@ -105,10 +105,11 @@ class FilteredPolicy(StatefulPolicy):
             ahead = self.filter.step(ahead, None, u)
         u, plan = self.control(memory.plan, np.minimum(now + self.delay, self.x.shape[1] - 1), ahead.s)
         applied = np.clip(u, *self.voltage_limits)
-        pending, before = (*memory.pending, applied)[1:], ()
-        if not self.delay:
-            pending, before, estimate = (), estimate, self.filter.step(estimate, None, applied)
-        return u.reshape(2, *measurement.shape[1:]).copy(), Memory(estimate, pending, plan, before)
+        if self.delay:
+            after = Memory(estimate, (*memory.pending[1:], applied), plan)
+        else:
+            after = Memory(self.filter.step(estimate, None, applied), (), plan, estimate)
+        return u.reshape(2, *measurement.shape[1:]).copy(), after
 
     def with_applied_input(self, memory: Memory, u: np.ndarray) -> Memory:
         """Memory after a step in which the voltages u (2, ...) in V were applied instead of the policy's own."""

@@ -121,6 +121,7 @@ class ResidualPolicy(StatefulPolicy):
             return self.single_step(memory, float(t), measurement)
         u_base, features, memory = self.step_base(memory, t, measurement)
         if isinstance(self.network, RecurrentNetwork):
+            assert memory.hidden is not None
             action, hidden = self.network(features, memory.hidden)
             memory = memory._replace(hidden=hidden)
         else:
