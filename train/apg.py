@@ -200,7 +200,8 @@ def task_of(
     curve = base.rig.thrust_map.front
     usual = shared.substeps == SUBSTEPS and not shared.is_noisy and not shared.pieces
     usual = usual and (general or (simulation.fly is motion.step_plant and not shared.disturbances))
-    for plant in (one for own in simulation.plants for one in own.alternatives):
+    plants = [one for own in simulation.plants for one in own.alternatives]
+    for plant in plants:
         usual = usual and math.isinf(plant.rotors.slew)
         if general:
             usual = usual and plant.rig is None and all(isinstance(d, ThrustDrift) for d in plant.disturbances)
@@ -212,7 +213,7 @@ def task_of(
             "plant: must have encoders, no noise, no slew limit, power curves of thrust, and no disturbances but a "
             "drift of thrust; the base's rotors must be alike"
         )
-    for drift in (d for own in simulation.plants for plant in own.alternatives for d in plant.disturbances):
+    for drift in (d for plant in plants for d in plant.disturbances if isinstance(d, ThrustDrift)):
         if drift.time != 0.0 or lowest(drift.duration) < policy.reference.duration:
             raise ValueError(
                 f"plant: {drift} must have time = 0 and a duration of at least {policy.reference.duration:g} s, that "
