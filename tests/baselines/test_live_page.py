@@ -254,12 +254,29 @@ def test_a_link_shows_the_flight_that_it_was_copied_from(page):
     assert "lag=0.2" in seen["hash"]
 
 
-def test_a_link_that_makes_no_sense_shows_the_page_as_it_opens(tmp_path):
-    live = demo.live_data()
-    hashes = ["", "#rig=moon&T=-3&pitch=x&window=1&plant=&draw=-7&weights=a~b&show=nobody", "#%%%&T=1e999&lag=NaN"]
-    first, *others = in_node("hashes.map((hash) => heli.fromHash(hash, live).setup)", hashes=hashes, live=live)
-    for other in others:
-        assert {**other, "duration": 0, "effects": 0} == {**first, "duration": 0, "effects": 0}
+def setups(*hashes):
+    """Choices of the page at some addresses."""
+    code = "hashes.map((hash) => heli.fromHash(hash, live).setup)"
+    return in_node(code, hashes=["", *hashes], live=demo.live_data())
+
+
+def test_a_link_that_makes_no_sense_shows_the_page_as_it_opens():
+    first, *others = setups(
+        "#rig=moon&T=x&pitch=x&window=1&plant=&draw=-7&weights=a~b&show=nobody", "#%%%&T=1e999&lag=NaN&loss=&zero=-1e999"
+    )
+    assert others == [first, first]
+
+
+def test_a_value_of_a_link_that_is_out_of_range_becomes_the_nearest_one_of_its_slider():
+    first, low, high = setups(
+        "#T=-3&off=-1&lag=-5&friction=-1&loss=-1&delay=-1&zero=-99&weights=-9~-9~-9~-9",
+        "#T=1e9&off=99&lag=5&friction=9&loss=1e3&delay=1e9&zero=99&weights=9~9~9~9",
+    )
+    assert low["effects"] == {"lag": 0, "friction": 0, "loss": 0, "delay": 0, "zero": -8}
+    assert high["effects"] == {"lag": 0.3, "friction": 0.6, "loss": 30, "delay": 0.2, "zero": 8}
+    assert (low["startOff"], high["startOff"]) == (0, 10)
+    assert set(low["weights"].values()) == {-2} and set(high["weights"].values()) == {2}
+    assert low["duration"] < first["duration"] < high["duration"]
 
 
 def test_the_flights_are_saved_as_numbers_and_as_a_picture_and_the_numbers_can_be_dropped_again(page, tmp_path):

@@ -53,10 +53,10 @@ export interface LiveData {
 
 /** Effects of the plant that the reader can set; null where the draw decides. */
 export const EFFECTS = {
-  lag: { name: "rotor lag", unit: "s", digits: 2, max: 0.3, step: 0.01 },
-  friction: { name: "friction", unit: "1/s", digits: 2, max: 0.6, step: 0.02 },
-  loss: { name: "thrust loss", unit: "%", digits: 0, max: 30, step: 1 },
-  delay: { name: "delay", unit: "s", digits: 2, max: 0.2, step: 0.01 },
+  lag: { name: "rotor lag", unit: "s", digits: 2, min: 0, max: 0.3, step: 0.01 },
+  friction: { name: "friction", unit: "1/s", digits: 2, min: 0, max: 0.6, step: 0.02 },
+  loss: { name: "thrust loss", unit: "%", digits: 0, min: 0, max: 30, step: 1 },
+  delay: { name: "delay", unit: "s", digits: 2, min: 0, max: 0.2, step: 0.01 },
   zero: { name: "pitch zero", unit: "°", digits: 0, min: -8, max: 8, step: 1 },
 } as const;
 export type Effect = keyof typeof EFFECTS;

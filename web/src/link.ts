@@ -1,6 +1,6 @@
 // The reader's choices in the address, so that a link shows a flight.
 
-import { EFFECT_NAMES, type LiveData, type Setup, WEIGHTS, initialSetup, rigOf, snapped } from "./experiment";
+import { EFFECTS, EFFECT_NAMES, type LiveData, type Setup, WEIGHTS, initialSetup, rigOf, snapped } from "./experiment";
 
 /** The choices that differ from those of a page that has just been opened, and the policies that are shown. */
 export function toHash(setup: Setup, shown: string[], data: LiveData): string {
@@ -26,12 +26,14 @@ export function toHash(setup: Setup, shown: string[], data: LiveData): string {
 
 export const shownAtFirst = (data: LiveData) => data.policies.filter(({ shown }) => shown).map(({ name }) => name);
 
-/** The choices and policies of an address; whatever is missing or makes no sense is as at first. */
+const clamped = (value: number, min: number, max: number) => Math.min(Math.max(value, min), max);
+
+/** The choices and policies of an address: the nearest that the page offers; whatever is missing or no number is as at first. */
 export function fromHash(hash: string, data: LiveData): { setup: Setup; shown: string[] } {
   const parts = new URLSearchParams(hash.replace(/^#/, ""));
   const initial = initialSetup(data, rigOf(data, parts.get("rig") ?? ""));
   const number = (name: string, otherwise: number) => {
-    const value = Number(parts.get(name) ?? Number.NaN);
+    const value = Number(parts.get(name)?.trim() || Number.NaN); // an empty text would be 0
     return Number.isFinite(value) ? value : otherwise;
   };
   const numbers = (name: string, length: number) => {
@@ -48,8 +50,12 @@ export function fromHash(hash: string, data: LiveData): { setup: Setup; shown: s
     startOff: number("off", initial.startOff),
     plant: parts.get("plant") ?? initial.plant,
     draw: Math.max(1, Math.round(number("draw", initial.draw))),
-    effects: Object.fromEntries(EFFECT_NAMES.flatMap((name) => (parts.has(name) ? [[name, number(name, 0)]] : []))),
-    weights: Object.fromEntries(WEIGHTS.map((name, i) => [name, Math.min(Math.max(powers[i], -2), 2)])) as Setup["weights"],
+    effects: Object.fromEntries(
+      EFFECT_NAMES.map((name) => [name, number(name, Number.NaN)] as const)
+        .filter(([, value]) => Number.isFinite(value))
+        .map(([name, value]) => [name, clamped(value, EFFECTS[name].min, EFFECTS[name].max)]),
+    ),
+    weights: Object.fromEntries(WEIGHTS.map((name, i) => [name, clamped(powers[i], -2, 2)])) as Setup["weights"],
   };
   const names = data.policies.map(({ name }) => name);
   const shown = parts.has("show") ? parts.get("show")!.split("~").filter((name) => names.includes(name)) : shownAtFirst(data);

@@ -178,8 +178,7 @@ export function showLive(data: LiveData, main: HTMLElement): void {
   const drawButton = make("button", { click: () => drawAnew() }, "another draw");
   const plantChoices = make("div", { class: "segments", role: "radiogroup", "aria-label": "plant" });
   const effectSliders = EFFECT_NAMES.map((name) => {
-    const { name: text, unit, digits, max, step } = EFFECTS[name];
-    const min = name === "zero" ? EFFECTS.zero.min : 0;
+    const { name: text, unit, digits, min, max, step } = EFFECTS[name];
     const value = () => effectsOf(plantOf(setup, data).plant)[name];
     return slider(name, text, () => ({ min, max, step, value: value(), text: `${shown(value(), digits)} ${unit}` }), (set) => change({ effects: { ...setup.effects, [name]: set } }));
   });
