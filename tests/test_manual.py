@@ -36,6 +36,13 @@ def orders(text: str) -> list[list[str]]:
     return [shlex.split(line, comments=True) for line in lines if re.match(r"heli-[a-z-]+( |$)", line)]
 
 
+def code(text: str) -> str:
+    """The lines of a text's fenced and indented blocks, with 0 for each variable of the shell."""
+    fenced = re.findall(r"^```\w*\n(.*?)^```", text, re.S | re.M)
+    rest = re.sub(r"^```\w*\n.*?^```", "", text, flags=re.S | re.M)
+    return re.sub(r"\$\w+", "0", "\n".join((*fenced, *re.findall(r"^ {4}.*", rest, re.M))))
+
+
 def options_of(program: str) -> set[str]:
     """The options of a command."""
     module = importlib.import_module(COMMANDS[program])
@@ -52,7 +59,10 @@ def test_the_commands_of_a_page_are_understood(page):
     """Parsed, not run; and what stands within a sentence may leave values out, but names only options that exist."""
     tyro = pytest.importorskip("tyro")
     text = page.read_text(encoding="utf-8")
-    for program, *arguments in orders("\n".join(re.findall(r"^```\w*\n(.*?)^```", text, re.S | re.M))):
+    commands = orders(code(text))
+    assert len(commands) == len(re.findall(r"^ *(?:\$ )?heli-[a-z-]+(?= |$)", text, re.M))
+    assert commands or page.stem != "learning"
+    for program, *arguments in commands:
         complaint = io.StringIO()
         with contextlib.redirect_stderr(complaint), contextlib.suppress(SystemExit):
             args = [argument for argument in arguments if argument != "..."]

@@ -5,6 +5,7 @@ import hashlib
 import io
 import json
 import random
+import re
 import resource
 import tempfile
 import warnings
@@ -285,8 +286,7 @@ def attempt(artifact: Artifact, data: bytes, folder: Path, whole: str) -> str:
     try:
         loaded = artifact.load(folder / artifact.target)
     except (ValueError, OSError) as error:
-        name = Path(artifact.target).stem.split("--")[0]
-        if name not in str(error) and str(folder) not in str(error):
+        if not re.search(rf"(?<!\w){re.escape(Path(artifact.target).name)}(?!\w)", str(error)):
             return f"error without the file's name: {error}"
         outcome = "named error"
     except BaseException as error:

@@ -127,6 +127,33 @@ REFUSED = {
         (["none.csv", "--u-min", "5", "--u-max", "1"], "u_min"),
         (["none.csv", "--out", "FILE/picture.png"], "out"),
     ],
+    "heli-export": [
+        ([], "PLAN|required|Missing"),
+        (["nowhere"], "nowhere"),
+        (["FILE"], "FILE"),
+        (["travel-360", "--policy", "foo"], "foo"),
+        (["travel-360", "--format", "vhdl"], "format"),
+        (["travel-360", "--control-period", "0"], "control_period"),
+        (["travel-360", "--rig", "lunar"], "lunar"),
+        (["travel-360", "--rig", "ntnu"], "ntnu"),
+        (["travel-360", *OUT_IS_A_FILE], "out"),
+        (["travel-360", "--format", "csv", "--policy", "residual"], "policy = 'residual'"),
+    ],
+    "heli-identify": [
+        ([], "logs"),
+        (["none.csv"], "none.csv"),
+        (["FILE"], "FILE"),
+        (["simulated", "--rig", "lunar"], "lunar"),
+        (["simulated", "--fit-share", "2"], "fit_share"),
+        (["simulated", "--sample-time", "0"], "sample_time"),
+        (["simulated", "--duration", "5"], "duration"),
+        (["simulated", "--mapping", "none.toml"], "none.toml"),
+        (["simulated", "--out", "rig.txt"], "out"),
+        (["simulated", "--out", "FILE/rig.toml"], "out"),
+        (["simulated", "--figures", "FILE"], "figures"),
+        (["--design", "none.csv"], "logs"),
+        (["--design", "--duration", "0"], "duration"),
+    ],
     "heli-make-references": [(OUT_IS_A_FILE, "out"), (["--out", "FILE/x"], "out"), (["x"], "x")],
     "heli-compare-planners": [
         (OUT_IS_A_FILE, "out"),
@@ -192,6 +219,10 @@ NEEDS = {
 }
 
 
+def test_the_cases_are_of_every_command():
+    assert REFUSED.keys() == cli.COMMANDS.keys()
+
+
 @pytest.fixture
 def place(tmp_path, monkeypatch):
     """An empty folder with a file and a folder in it, that the commands run in."""
@@ -222,7 +253,7 @@ def test_invalid_input_is_refused_in_one_line_and_leaves_nothing(place, monkeypa
     assert status == (1 if status_of_the_system else 2), said
     assert said.startswith(f"{program}: ")
     assert said.count("\n") == 1, said
-    assert re.search(words, said), said
+    assert re.search(words, said.removeprefix(f"{program}: ")), said
     assert sorted(os.listdir(place)) == ["FILE", "FOLDER"]
     assert (place / "FILE").read_text() == "precious"
 
@@ -237,7 +268,11 @@ WRITERS = {
     "heli-results": (["--out", "{}"]),
     "heli-train": (["--out", "{}"]),
     "heli-leaderboard": (["--out", "{}"]),
+    "heli-export": (["travel-360", "--out", "{}"]),
     "heli-export-onnx": (["--out", "{}/x.onnx"]),
+    "heli-identify": (["simulated", "--out", "{}/rig.toml"]),
+    "heli-log": (["simulated", "--out", "{}/a.png"]),
+    "heli-tune": (["--study", "{}/study.json"]),
 }
 
 

@@ -32,6 +32,7 @@ def miss(flown, planned) -> float:
 def test_the_open_loop_arrives_on_rotors_with_lag_and_dead_time():
     planned = plan(Maneuver(duration=10.0), "spline")
     led = lead_voltages(planned, LAG, DELAY)
+    assert miss(led, planned) < 0.006
     assert miss(planned, planned) > 4.0 * miss(led, planned)
 
 

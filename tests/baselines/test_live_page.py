@@ -262,7 +262,8 @@ def setups(*hashes):
 
 def test_a_link_that_makes_no_sense_shows_the_page_as_it_opens():
     first, *others = setups(
-        "#rig=moon&T=x&pitch=x&window=1&plant=&draw=-7&weights=a~b&show=nobody", "#%%%&T=1e999&lag=NaN&loss=&zero=-1e999"
+        "#rig=moon&T=x&pitch=x&window=1&plant=&draw=-7&weights=a~b&show=nobody",
+        "#%%%&T=1e999&lag=NaN&loss=&zero=-1e999",
     )
     assert others == [first, first]
 

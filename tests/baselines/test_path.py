@@ -20,7 +20,7 @@ CONSTRAINED = {
     "a bump": Maneuver(duration=10.0, floor=(TRAVEL, BUMP)),
     "an elevation window": Maneuver(duration=9.0, limits=Limits(elevation_min=-0.0175, elevation_max=0.0175)),
     "a travel rate": Maneuver(duration=14.0, limits=Limits(travel_rate=1.0)),
-    "an elevation rate": Maneuver(goal=(3.0, -0.2), duration=8.0, limits=Limits(elevation_rate=0.05)),
+    "an elevation rate": Maneuver(goal=(3.0, -0.2), duration=8.0, limits=Limits(elevation_rate=0.04)),
     "a slew": Maneuver(duration=11.0, limits=Limits(slew=6.0)),
     "all of them": Maneuver(
         duration=14.0, floor=(TRAVEL, BUMP), limits=Limits(travel_rate=0.9, elevation_rate=0.2, slew=6.0)
@@ -61,14 +61,13 @@ def test_the_fastest_plan_meets_the_constraints_and_takes_longer(name):
     constrained = plan_fastest(requested)
     free = plan_fastest(Maneuver(requested.start, requested.goal, 30.0))
     assert max(excesses(requested, constrained.t, replay(constrained), constrained.u).values()) < 2e-5
-    assert constrained.duration > free.duration - 0.1
+    assert constrained.duration > free.duration + 0.02
 
 
 def test_without_the_constraints_the_same_plans_exceed_them():
     for requested in CONSTRAINED.values():
         free = plan(Maneuver(requested.start, requested.goal, requested.duration))
-        if requested is not CONSTRAINED["an elevation rate"]:
-            assert max(excesses(requested, free.t, free.x, free.u).values()) > 0.0
+        assert max(excesses(requested, free.t, free.x, free.u).values()) > 5e-3
 
 
 def test_a_refusal_names_the_constraint_and_its_cost():

@@ -46,12 +46,13 @@ def test_on_the_plan_the_feedback_adds_nothing_and_off_it_the_fans_say_so(name):
     rig = find_rig("ntnu")
     reference = plan(Maneuver(goal=(math.pi / 2, 0.0), duration=8.0, rig=rig))
     policy = make_policy(name, reference)
-    assert policy.voltage_limits == rig.voltage_limits if hasattr(policy, "voltage_limits") else True
+    if name != "feedforward+tvlqr":  # which has no use for them
+        assert policy.voltage_limits == rig.voltage_limits
     u = policy(0.0, reference.x[:, 0])
     assert_allclose(u, rig.hover_voltage(), atol=0.2)
     policy.reset(np.random.default_rng(0))
     lower = reference.x[:, 0] + np.array([0.0, 0.0, 0.1, 0.0, 0.0, 0.0])  # positive is down
-    assert (policy(0.0, lower) > u).all() or name == "kalman-lqr"
+    assert (policy(0.0, lower) > u + 0.5).all()
 
 
 def test_gains_are_those_of_the_references_rig_by_default():

@@ -225,7 +225,7 @@ def test_without_pygame_the_command_names_the_extra_to_install(monkeypatch):
 def test_help_names_every_argument_and_the_keys():
     child = subprocess.run([sys.executable, "-m", "heli_gym.play", "--help"], capture_output=True, text=True)
     assert (child.returncode, child.stderr) == (0, "")
-    for word in ("--assist", "--plant", "--reference", "--seed", "arrow keys", "Escape"):
+    for word in ("--assist", "--plant", "--rig", "--reference", "--seed", "--force", "arrow keys", "Escape"):
         assert word in child.stdout
 
 

@@ -48,7 +48,7 @@ CALLS = [
     ("k_plus", lambda v: Rig("x", thrust_map=ThrustMap(PowerCurve(v), PowerCurve(v)))),
     ("voltages", lambda v: Rig("x", thrust_map=ThrustMap(TableCurve((0, v), (0, 1)), TableCurve((0, v), (0, 1))))),
     ("body", lambda v: Rig.from_masses("x", body=v, counterweight=1, arm=1, counterweight_arm=1, rotor_arm=1)),
-    ("t", lambda v: Trajectory([0, v], TWO[1], TWO[0])),
+    (r"^t( =| is| must)", lambda v: Trajectory([0, v], TWO[1], TWO[0])),
     ("limits", lambda v: Trajectory([0, 1], TWO[1], TWO[0], limits=v)),
     ("lag", lambda v: Rotors(lag=v)),
     ("viscous", lambda v: Friction(viscous=(0.0, 0.0, v))),
