@@ -70,9 +70,19 @@ def test_a_task_that_always_loses_its_process_ends_with_its_number(two, monkeypa
     assert (index, result[0]) == (0, 7) and "lost 2 times" in result[1]
 
 
-def test_an_error_of_a_task_is_raised_here_and_ends_the_others(engine):
+def test_an_error_of_a_task_is_raised_here(engine):
     with pytest.raises(ValueError, match="x = 3: must not be three"):
         list(engine.results(tasks.refuse, range(100)))
+
+
+def test_an_error_ends_the_other_running_tasks(two, tmp_path):
+    with pytest.raises(ValueError, match="x = 3: must not be three"):
+        list(two.results(tasks.wait_or_refuse, [(tmp_path, 0), (tmp_path, 1)]))
+    try:
+        with pytest.raises(ProcessLookupError):
+            os.kill(int((tmp_path / "process").read_text()), 0)
+    finally:
+        (tmp_path / "end").touch()
 
 
 @pytest.fixture

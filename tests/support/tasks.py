@@ -27,6 +27,19 @@ def note_and_wait(task):
     return x
 
 
+def wait_or_refuse(task):
+    """Task 0: note its process in a file, and wait. Task 1: raise ValueError once it does."""
+    folder, x = task
+    note = Path(folder) / "process"
+    if x == 0:
+        (Path(folder) / "draft").write_text(str(os.getpid()))
+        (Path(folder) / "draft").rename(note)
+        return note_and_wait(task)
+    while not note.exists():
+        time.sleep(0.01)
+    return refuse(3)
+
+
 def die_once(task):
     """End the process at the first attempt of an odd number."""
     folder, x = task
