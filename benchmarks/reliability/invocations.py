@@ -8,6 +8,7 @@ import importlib
 import io
 import os
 import random
+import re
 import resource
 import signal
 import sys
@@ -213,12 +214,21 @@ def is_accepted(status: int | None, said: str) -> bool:
 
 
 def names_cause(arguments: list[str], said: str) -> bool:
-    """Whether a line names an option, or a value, of the arguments."""
+    """Whether a line names an option, or a value, of the arguments, as words of their own."""
     words = [argument.lstrip("-").partition("=")[0] for argument in arguments]
     words += [part for argument in arguments if argument.startswith("/") for part in Path(argument).parts[2:]]
     plain = [word for word in words if word and word.isascii() and word.isprintable()]
-    shown = [name for word in plain for name in (word[:8], word.replace("-", "_").removesuffix("_deg"))]
-    return not plain or "Missing" in said or "Unrecognized" in said or any(name in said for name in shown)
+    numbers = {number.lstrip("-") for number in NUMBERS}
+    plain = [word for word in plain if word not in numbers] or plain  # "at least 0" does not name a value
+    names = [name for word in plain for name in (word, word.replace("-", "_"))]
+    beginnings = [word[:8] for word in plain if len(word) > 20]  # long values are shortened
+    return (
+        not plain
+        or "Missing" in said
+        or "Unrecognized" in said
+        or any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", said) for name in names)
+        or any(beginning in said for beginning in beginnings)
+    )
 
 
 def judge(program: str, arguments: list[str], status: int | None, said: str, before: dict, after: dict) -> str:
@@ -230,7 +240,7 @@ def judge(program: str, arguments: list[str], status: int | None, said: str, bef
     said = "".join(line for line in said.splitlines(keepends=True) if "of an earlier run" not in line)
     if not said.startswith(f"{program}: ") or said.count("\n") != 1:
         return f"not one line: {said[:200]!r}"
-    if not names_cause(arguments, said):
+    if not names_cause(arguments, said.removeprefix(f"{program}: ")):
         return f"names neither option nor value: {said[:200]!r}"
     if before != after:
         changed = sorted(set(before.items()) ^ set(after.items()))

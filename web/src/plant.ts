@@ -122,7 +122,7 @@ export function atRest({ plant, periods }: Prepared, x: readonly number[], u: Pa
     rotors: u,
     arrived: u,
     pending: Array.from({ length: periods }, () => u),
-    angles: encoded(plant, x),
+    angles: measuredAngles(plant, x),
     rates: [x[1], x[3], x[5]],
   };
 }
@@ -196,14 +196,14 @@ function disturb(pushes: Push[], time: number, h: number): number[] {
 }
 
 /** What the encoders read of the angles. */
-function encoded({ sensors }: Plant, x: readonly number[]): number[] {
+function measuredAngles({ sensors }: Plant, x: readonly number[]): number[] {
   return [x[0], x[2], x[4]].map((angle, i) => (sensors === null ? angle : quantise(angle - sensors.zeros[i], sensors.counts[i])));
 }
 
 /** The next angles, and the rates, which are the filtered difference quotients of the encoders' angles. */
 function measure(plant: Plant, state: PlantState, dt: number): PlantState {
   const { x } = state;
-  const angles = encoded(plant, x);
+  const angles = measuredAngles(plant, x);
   if (plant.sensors === null) return { ...state, angles, rates: [x[1], x[3], x[5]] };
   const decay = Math.exp(-dt / plant.sensors.rate_filter);
   const rates = angles.map((angle, i) => decay * state.rates[i] + ((1 - decay) * (angle - state.angles[i])) / dt);
