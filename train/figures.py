@@ -1,4 +1,4 @@
-"""`python -m heli_gym.train.figures`: draw the figures of the manual's page on learning into docs/.
+"""`python -m heli_gym.train.figures`: draw the figures of the manual's page on learning.
 
 The figures are learning curves of stored runs, one flight with and without a learned correction, and how well its
 memory knows the plant's draw.
@@ -6,6 +6,7 @@ memory knows the plant's draw.
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +18,22 @@ from matplotlib.ticker import NullFormatter
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.residual import ResidualPolicy
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
+from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import Heli3DOFEnv
-from heli_gym.storage import atomic_write
+from heli_gym.storage import atomic_write, check_folder
 from heli_gym.train.train import START_SPREAD_DEG, VALIDATION_SEED
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
+FIGURES = ("learning-curves", "learning-memory", "learning-flight")
 PARTS = (("travel", lambda row: row["rms_error_deg"][0]), ("elevation", lambda row: row["rms_error_deg"][1]))
+
+
+@dataclass
+class Args:
+    """Draw the figures of the manual's page on learning."""
+
+    results: Path = Path("results")  # folder of the stored runs
+    docs: Path = Path("docs")  # folder of the figures
 
 
 def learning_curves(runs: Mapping[str, Sequence[Path]]) -> Figure:
@@ -160,21 +171,34 @@ def correction_in_flight(name: str, plant: str, seed: int, seconds: float = 4.0)
     return figure
 
 
-def main(results: Path = Path("results"), docs: Path = Path("docs")) -> None:
+def run(args: Args) -> None:
     """Draw all figures."""
+    check_folder("docs", args.docs)
     runs = {
-        "lab": (results / "lab/first-stage/0", results / "lab/residual/0"),
-        "rigid": (results / "rigid/residual/0",),
+        "lab": (args.results / "lab/first-stage/0", args.results / "lab/residual/0"),
+        "rigid": (args.results / "rigid/residual/0",),
     }
-    figures = {
-        "learning-curves": learning_curves(runs),
-        "learning-memory": parameters_in_memory("residual", "lab", VALIDATION_SEED),
-        "learning-flight": correction_in_flight("residual", "lab", VALIDATION_SEED + 3),
-    }
-    for name, figure in figures.items():
-        with atomic_write(docs / f"{name}.png") as file:
+    for folder in (folder for folders in runs.values() for folder in folders):
+        if not (folder / "history.json").is_file():
+            raise ValueError(
+                f"results = {str(args.results)!r}: must hold {folder.relative_to(args.results)}/history.json"
+            )
+    announce_replaced("heli_gym.train.figures", *(args.docs / f"{name}.png" for name in FIGURES))
+    drawn = (
+        learning_curves(runs),
+        parameters_in_memory("residual", "lab", VALIDATION_SEED),
+        correction_in_flight("residual", "lab", VALIDATION_SEED + 3),
+    )
+    for name, figure in zip(FIGURES, drawn):
+        with atomic_write(args.docs / f"{name}.png") as file:
             figure.savefig(file, format="png", dpi=110)
         plt.close(figure)
+
+
+def main() -> None:
+    """Run the module as a command."""
+    with command("heli_gym.train.figures"):
+        run(parse(Args, "heli_gym.train.figures", __doc__))
 
 
 if __name__ == "__main__":

@@ -112,7 +112,7 @@ def fly_method(task: tuple[Rig, str, str, int]) -> dict[str, Any]:
     rate = np.diff(trajectory.u) / np.diff(trajectory.t)
     return {
         "method": name,
-        "asked": f"{LEISURE:g} s" if kind == "in" else kind,
+        "wanted duration": f"{LEISURE:g} s" if kind == "in" else kind,
         "duration (s)": trajectory.duration,
         "effort (N² s)": effort(maneuver, trajectory),
         "peak pitch (deg)": float(np.degrees(np.abs(trajectory.x[4]).max())),

@@ -307,6 +307,15 @@ def test_the_better_policy_ranks_first_and_a_crash_never_helps():
     assert standings(some, "b")[0]["policy"] == "b"
 
 
+def test_the_median_and_the_worst_seed_follow_the_errors_and_a_crash_is_the_worst():
+    errors = {7: 3.0, 8: 1.0, 9: 5.0, 10: 2.0, 11: 4.0}
+    [entry] = standings([row("a", seed, error) for seed, error in errors.items()], "")
+    assert (entry["median_seed"], entry["worst_seed"]) == (7, 9)
+    crashing = [row("a", seed, error, crashed=seed == 8) for seed, error in errors.items()]
+    [entry] = standings(crashing, "")  # 10, 7, 11, 9, 8
+    assert (entry["median_seed"], entry["worst_seed"]) == (11, 8)
+
+
 def test_policies_are_compared_on_the_draws_that_all_have_flown():
     rows = [row("a", k, 1.0) for k in range(9)] + [row("b", k, 2.0) for k in range(4, 20)]
     assert [entry["draws"] for entry in standings(rows, "a")] == [5, 5]

@@ -6,6 +6,7 @@ import json
 import re
 from contextlib import redirect_stdout
 from io import StringIO
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -73,6 +74,23 @@ def test_the_hardest_and_the_median_draw_come_first_and_the_exact_start_last(fol
         np.testing.assert_allclose(group["reference"]["x"], x_ref, rtol=0.0, atol=1e-6)
         if spread:
             assert group["errors"][0] == pytest.approx(errors[seed - SEED])
+
+
+def hand_made(policy, seed, travel, crashed=False):
+    metrics = SimpleNamespace(rms_error_deg=(travel, 0.0, 0.0), crashed=crashed)
+    return evaluate.Flight(policy, "perturbed", 0.02, seed, 0.0, metrics, None)
+
+
+def test_the_hardest_draw_is_the_one_that_crashed_and_then_the_one_with_the_greater_error():
+    flights = [hand_made("a", 1, 2.0), hand_made("a", 2, 3.0), hand_made("a", 3, 0.1, crashed=True)]
+    assert evaluate.hardest_first(flights) == [3, 2, 1]
+
+
+def test_draws_are_as_hard_as_their_mean_rank_over_the_policies_whatever_the_size_of_the_errors():
+    alike = [hand_made(policy, seed, 1.3 - 0.1 * seed) for policy in ("a", "b") for seed in (1, 2, 3)]
+    other = [hand_made("c", seed, 33.0 * seed) for seed in (1, 2, 3)]
+    assert evaluate.hardest_first(alike + other) == [1, 2, 3]
+    assert evaluate.hardest_first(other) == [3, 2, 1]
 
 
 def test_a_policy_that_did_not_fly_from_every_start_is_left_out_there(tmp_path, monkeypatch):
