@@ -3,7 +3,8 @@
 The filter's state holds (44), the rotor speeds and slowly varying parameters: rotor lag, thrust gain, viscous friction
 of the three axes, two centrifugal coefficients and three disturbance accelerations (Gelb, Applied Optimal Estimation,
 Section 6.1; Ljung, "Asymptotic behavior of the extended Kalman filter as a parameter estimator for linear systems",
-IEEE TAC 24(1), 1979). The priors are the documented ranges of the plant `lab`, never a draw. The transition is one
+IEEE TAC 24(1), 1979). The priors are the documented ranges of the plant `lab`, never a draw; for a rig with a lag
+outside its range, a range in proportion to the rig's lag, as the plant has on it. The transition is one
 Runge-Kutta step of `model.dynamics`, differentiated by finite differences, so that the filter follows the model.
 """
 
@@ -20,7 +21,7 @@ from heli_gym.compilation import Compiler
 from heli_gym.model import dynamics, rk4_step, virtual_input
 from heli_gym.parameters import HelicopterParameters
 from heli_gym.plant import FOOT_SPREAD, LAB_FRICTION, LAB_ROTORS, Uniform
-from heli_gym.rig import Rig
+from heli_gym.rig import PAPER, Rig
 
 # Indices in the filter's state (N_STATES,): (44); rotor speeds as voltages in V; lag in s; thrust gain;
 # friction in 1/s, on top of the parameters' own; coefficients of two centrifugal terms; accelerations in rad/s².
@@ -219,7 +220,9 @@ def predict_one(s: Any, P: Any, F: Any, FP: Any, u: tuple, dt: float, p: Any, fa
         P[i, i] += Q[i, i]
 
 
-def update_one(s: Any, P: Any, column: Any, angles: tuple, variance: float, dt: float, fans: Any) -> None:
+def update_one(
+    s: Any, P: Any, column: Any, angles: tuple, variance: float, dt: float, fans: Any, lag_scale: float
+) -> None:
     """Update s and P in place with the three measured angles, one after the other.
 
     An outlier inflates the variances of its axis first: angle and rate follow it, the parameters do not.
@@ -239,7 +242,8 @@ def update_one(s: Any, P: Any, column: Any, angles: tuple, variance: float, dt: 
                 P[i, j] -= column[i] * column[j] / S
     for i in range(2):
         s[ROTORS + i] = min(max(s[ROTORS + i], fans.low), fans.low + fans.step * (N_SAMPLES - 1))
-    for i in range(N_STATES - LAG):
+    s[LAG] = min(max(s[LAG], lag_scale * LOWEST[0]), lag_scale * HIGHEST[0])
+    for i in range(1, N_STATES - LAG):
         s[LAG + i] = min(max(s[LAG + i], LOWEST[i]), HIGHEST[i])
 
 
@@ -253,6 +257,7 @@ def filter_step(
     fans: Any,
     Q: Any,
     variance: float,
+    lag_scale: float,
     updates: bool,
     predicts: bool,
 ) -> None:
@@ -268,7 +273,9 @@ def filter_step(
             for j in range(N_STATES):
                 covariance[i, j] = P[i, j, n]
         if updates:
-            update_one(one, covariance, column, (angles[0, n], angles[1, n], angles[2, n]), variance, dt, fans)
+            update_one(
+                one, covariance, column, (angles[0, n], angles[1, n], angles[2, n]), variance, dt, fans, lag_scale
+            )
         if predicts:
             predict_one(one, covariance, F, FP, (u[0, n], u[1, n]), dt, p, fans, Q)
         for i in range(N_STATES):
@@ -304,9 +311,14 @@ class AdaptiveFilter:
         """Thrust map of the rig, sampled between the voltage limits."""
         return sample_thrust_map(self.rig, self.voltage_limits or self.rig.voltage_limits)
 
+    @cached_property
+    def lag_scale(self) -> float:
+        """Ratio of the range of the lag to that of `lab`; 1 for a rig with a lag in that range."""
+        return 1.0 if LAB_ROTORS.lag.low <= self.rig.lag <= LAB_ROTORS.lag.high else self.rig.lag / PAPER.lag
+
     def init(self, x: np.ndarray, u: np.ndarray) -> Estimate:
         """Prior estimate at states x (6, N) with the rotors at the voltages u (2, N) in V."""
-        mean, deviation = prior_moments(self.noise)
+        mean, deviation = prior_moments(self.noise, self.lag_scale)
         on_angles, on_rates, _ = START_DEVIATIONS
         deviations = (
             [on_angles, on_rates] * 3 + [ROTOR_DEVIATION] * 2 + [*deviation] + [self.noise.start_disturbance] * 3
@@ -327,25 +339,27 @@ class AdaptiveFilter:
             self.control_period,
             self.rig.parameters,
             self.fans,
-            process_noise(self.noise, self.control_period),
+            process_noise(self.noise, self.control_period, self.lag_scale),
             encoder_noise(self.rig) ** 2,
+            self.lag_scale,
             angles is not None,
             u is not None,
         )
         return Estimate(s, P)
 
 
-def prior_moments(noise: FilterNoise) -> tuple[np.ndarray, np.ndarray]:
+def prior_moments(noise: FilterNoise, lag_scale: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
     """Prior means and standard deviations (7,) of the parameters, from their documented uniform ranges."""
+    lag = Uniform(lag_scale * LAB_ROTORS.lag.low, lag_scale * LAB_ROTORS.lag.high)
     loss: Uniform = LAB_ROTORS.thrust_loss
-    ranges = [LAB_ROTORS.lag, Uniform(1.0 - loss.high, 1.0 - loss.low), *LAB_FRICTION.viscous, LIFT, TURN]
+    ranges = [lag, Uniform(1.0 - loss.high, 1.0 - loss.low), *LAB_FRICTION.viscous, LIFT, TURN]
     mean = np.array([0.5 * (one.low + one.high) for one in ranges])
     deviation = np.array([(one.high - one.low) / math.sqrt(12.0) for one in ranges])
     return mean, deviation if noise.adaptive else np.zeros(len(mean))
 
 
 @cache
-def process_noise(noise: FilterNoise, dt: float) -> np.ndarray:
+def process_noise(noise: FilterNoise, dt: float, lag_scale: float) -> np.ndarray:
     """Process-noise covariance (N_STATES, N_STATES) for a step of dt seconds."""
     Q = np.zeros((N_STATES, N_STATES))
     for axis in range(3):
@@ -355,5 +369,5 @@ def process_noise(noise: FilterNoise, dt: float) -> np.ndarray:
         Q[angle, rate] = Q[rate, angle] = intensity * dt**2 / 2.0
         Q[DISTURBANCE + axis, DISTURBANCE + axis] = noise[1 + axis] ** 2 * dt
     indices = range(LAG, DISTURBANCE)
-    Q[indices, indices] = (noise.parameters * prior_moments(noise)[1]) ** 2 * dt
+    Q[indices, indices] = (noise.parameters * prior_moments(noise, lag_scale)[1]) ** 2 * dt
     return Q

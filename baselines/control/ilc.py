@@ -15,6 +15,7 @@ from heli_gym.baselines.control.estimation import discretise
 from heli_gym.baselines.control.model_based import ModelPolicy
 from heli_gym.baselines.control.protocol import StatefulPolicy, expand_batch_dims, step_index
 from heli_gym.model import linearise, virtual_input
+from heli_gym.rig import Rig
 
 EFFORT = 0.02  # degree² per V², weight of the correction against the tracking error
 SHARE = 0.8  # learning rate; a smaller one is slower, and more robust to model errors
@@ -33,6 +34,11 @@ class LearnedFeedforward(StatefulPolicy):
     def __post_init__(self) -> None:
         self.correction = np.zeros_like(self.base.regulator.u)
         self.control_period, self.voltage_limits = self.base.control_period, self.base.voltage_limits
+
+    @property
+    def rig(self) -> Rig:
+        """Rig that the policy assumes; `fly` checks it."""
+        return self.base.rig
 
     @property
     def reference_states(self) -> np.ndarray:

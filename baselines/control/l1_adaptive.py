@@ -22,6 +22,9 @@ class Memory(NamedTuple):
     filtered: np.ndarray  # (3, ...) estimated accelerations after the low-pass filter; rad/s²
     rotors: np.ndarray  # (2, ...) simulated rotor speeds, as voltages; V
     pending: tuple[np.ndarray, ...]  # (2, ...) each in V: commands still in the delay line, oldest first
+    before: tuple[
+        np.ndarray, ...
+    ] = ()  # without a delay, before the last period: state, rotors, disturbance, rate errors
 
 
 @dataclass(eq=False)
@@ -41,6 +44,11 @@ class L1Policy(StatefulPolicy):
     memory: Memory | None = field(default=None, init=False, repr=False)
 
     @property
+    def rig(self) -> Rig:
+        """Rig that the policy assumes; `fly` checks it."""
+        return self.regulator.rig
+
+    @property
     def reference_states(self) -> np.ndarray:
         """Reference states (6, K + 1) on the control grid; `fly` checks them."""
         return self.regulator.x
@@ -48,7 +56,9 @@ class L1Policy(StatefulPolicy):
     def init(self, t: float | np.ndarray, measurement: np.ndarray) -> Memory:
         """Memory without a disturbance, with the rotors at the reference's voltages."""
         u = expand_batch_dims(self.regulator.u[:, self.index(t)], measurement) + np.zeros(measurement.shape[1:])
-        return Memory(measurement[1::2], np.zeros_like(measurement[1::2]), u, (u,) * self.actuator.delay)
+        zero = np.zeros_like(measurement[1::2])
+        before = () if self.actuator.delay else (measurement, u, zero, zero)
+        return Memory(measurement[1::2], zero, u, (u,) * self.actuator.delay, before)
 
     def step(self, memory: Memory, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, Memory]:
         dt, c = self.control_period, self.weights
@@ -63,8 +73,18 @@ class L1Policy(StatefulPolicy):
         k = np.minimum(self.index(t) + self.actuator.delay, self.reference_states.shape[1] - 1)
         u = self.regulator(k, later, rotors, filtered, None)
         pending = (*memory.pending, np.clip(u, *self.voltage_limits))
+        before = () if self.actuator.delay else (measurement, memory.rotors, sigma, decay * off)
         x, rotors = self.predict(measurement, memory.rotors, pending[0], sigma)
-        return u, Memory(x[1::2] + decay * off, filtered, rotors, pending[1:])
+        return u, Memory(x[1::2] + decay * off, filtered, rotors, pending[1:], before)
+
+    def with_applied_input(self, memory: Memory, u: np.ndarray) -> Memory:
+        """Memory after a step in which the voltages u (2, ...) in V were applied instead of the policy's own."""
+        applied = np.clip(u, *self.voltage_limits)
+        if self.actuator.delay:
+            return memory._replace(pending=(*memory.pending[:-1], applied))
+        x, rotors, disturbance, error = memory.before
+        x, rotors = self.predict(x, rotors, applied, disturbance)
+        return memory._replace(rates=x[1::2] + error, rotors=rotors)
 
     def predict(self, x: Any, rotors: Any, u: Any, disturbance: Any) -> tuple[np.ndarray, np.ndarray]:
         """State (6, ...) and rotor speeds (2, ...) one control period later."""

@@ -205,7 +205,7 @@ def model_policy(
         gains = kalman_gains(x, v, control_period, *along, encoder_noise(rig))
         settling = partial(settling_gains, x, v, control_period, *along, angle_noise=encoder_noise(rig))
         observer = Observer(gains, settling, control_period)
-    return ModelPolicy(regulator, observer, actuator, control_period)
+    return ModelPolicy(regulator, observer, actuator, control_period, rig.voltage_limits)
 
 
 def make_regulator(reference: Trajectory, control_period: float, rig: Rig, weights: Weights, lag: float) -> Regulator:

@@ -25,7 +25,7 @@ from heli_gym.baselines.control.adaptive_filter import (
 from heli_gym.baselines.control.estimation import least_lift, nominal_actuator
 from heli_gym.baselines.control.model_based import Regulator, make_regulator
 from heli_gym.baselines.control.nmpc import N_INPUTS, Bounds, MpcSettings, compiled_mpc_step
-from heli_gym.baselines.control.protocol import StatefulPolicy, step_index
+from heli_gym.baselines.control.protocol import StatefulPolicy, assign_columns, select_columns, step_index
 from heli_gym.baselines.control.weights import ADAPTIVE_MPC, KALMAN_LQR, NMPC, MpcWeights, ObserverWeights
 from heli_gym.model import virtual_input
 from heli_gym.parameters import AMPLIFIER_LIMITS, Limits
@@ -42,6 +42,7 @@ class Plan(NamedTuple):
     u: np.ndarray  # (nodes, 2, N) in V
     z: np.ndarray  # (nodes + 1, N_FLIGHT, N)
     gains: np.ndarray  # (nodes, 2, N_FLIGHT, N)
+    first: np.ndarray  # (N,) whether it is the reference, at the start of a flight
 
 
 class Memory(NamedTuple):
@@ -49,7 +50,7 @@ class Memory(NamedTuple):
 
     estimate: Estimate  # prediction for the next measurement
     pending: tuple[np.ndarray, ...]  # (2, N) each in V: commands still in the delay line, oldest first
-    plan: Plan | None
+    plan: Plan | None  # None for laws without a plan
     before: Estimate | tuple[()] = ()  # without a delay: estimate before the last period
 
     @property
@@ -78,9 +79,18 @@ class FilteredPolicy(StatefulPolicy):
     voltage_limits: tuple[float, float] = AMPLIFIER_LIMITS
     memory: Memory | None = field(default=None, init=False, repr=False)
 
-    def control(self, plan: Plan | None, k: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, Plan | None]:
+    def first_plan(self, k: np.ndarray) -> Plan | None:
+        """Plan at the start of flights whose first voltages take effect in the control periods k (N,)."""
+        return None
+
+    def control(self, plan: Any, k: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, Plan | None]:
         """Voltages (2, N) in V for filter states s (N_STATES, N) in control periods k (N,), and the next plan."""
         raise NotImplementedError
+
+    @property
+    def rig(self) -> Rig:
+        """Rig that the policy assumes; `fly` checks it."""
+        return self.filter.rig
 
     @property
     def reference_states(self) -> np.ndarray:
@@ -88,13 +98,14 @@ class FilteredPolicy(StatefulPolicy):
         return self.x
 
     def init(self, t: float | np.ndarray, measurement: np.ndarray) -> Memory:
-        """Memory with the prior estimate at the reference, rotors at its voltages and no plan."""
+        """Memory with the prior estimate at the reference, rotors at its voltages and the first plan."""
         if self.filter.voltage_limits != self.voltage_limits:
             self.filter = replace(self.filter, voltage_limits=self.voltage_limits)
         now = np.broadcast_to(self.index(t), (measurement[0].size,))
         x, u = self.x[:, now], self.u[:, now]
         estimate = self.filter.init(x, u)
-        return Memory(estimate, (u,) * self.delay, None, () if self.delay else estimate)
+        plan = self.first_plan(self.arrival(now))
+        return Memory(estimate, (u,) * self.delay, plan, () if self.delay else estimate)
 
     def step(self, memory: Memory, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, Memory]:
         angles = measurement.reshape(6, -1)[0::2]
@@ -103,7 +114,7 @@ class FilteredPolicy(StatefulPolicy):
         ahead = estimate
         for u in memory.pending[1:]:
             ahead = self.filter.step(ahead, None, u)
-        u, plan = self.control(memory.plan, np.minimum(now + self.delay, self.x.shape[1] - 1), ahead.s)
+        u, plan = self.control(memory.plan, self.arrival(now), ahead.s)
         applied = np.clip(u, *self.voltage_limits)
         if self.delay:
             after = Memory(estimate, (*memory.pending[1:], applied), plan)
@@ -118,6 +129,10 @@ class FilteredPolicy(StatefulPolicy):
             return memory._replace(pending=(*memory.pending[:-1], applied))
         assert isinstance(memory.before, Estimate)
         return memory._replace(estimate=self.filter.step(memory.before, None, applied))
+
+    def arrival(self, now: np.ndarray) -> np.ndarray:
+        """Control periods (N,) in which the voltages of the control periods `now` take effect."""
+        return np.minimum(now + self.delay, self.x.shape[1] - 1)
 
     def index(self, t: Any) -> Any:
         """Index of the control period at the time t in s."""
@@ -136,36 +151,46 @@ class PredictivePolicy(FilteredPolicy):
         self.stride = max(1, round(self.settings.step / self.control_period))
         self.settings = self.settings._replace(step=self.stride * self.control_period)
 
-    def control(self, plan: Plan | None, k: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, Plan]:
-        c, iterations, shift = self.settings, 1, 1.0 / self.stride
-        if plan is None:
-            iterations, shift = FIRST_ITERATIONS, 0.0
-            plan = self.first_plan(k)
-        plan = Plan(*(part.copy() for part in plan))
+    def control(self, plan: Plan, k: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, Plan]:
+        if plan.first.all() or not plan.first.any():
+            plan = self.improve(plan, k, s)
+        else:
+            for columns in (np.flatnonzero(plan.first), np.flatnonzero(~plan.first)):
+                plan = assign_columns(
+                    plan, self.improve(select_columns(plan, columns), k[columns], s[:, columns]), columns
+                )
+        return plan.u[0], plan
+
+    def improve(self, plan: Plan, k: np.ndarray, s: np.ndarray) -> Plan:
+        """Plan after the iterations of one control period; the flights either all start or all go on."""
+        iterations, shift = (FIRST_ITERATIONS, 0.0) if plan.first.all() else (1, 1.0 / self.stride)
+        u, z, gains = (np.array(part, order="C") for part in plan[:3])
         bounds = Bounds(*map(float, (*self.voltage_limits, *self.limits.u, *self.limits.pitch)))
         compiled_mpc_step()(
-            s,
+            np.ascontiguousarray(s),
             self.x,
             self.v,
             np.ascontiguousarray(k),
             self.stride,
-            *plan,
+            u,
+            z,
+            gains,
             iterations,
             shift,
             self.filter.rig.parameters,
             self.filter.fans,
             least_lift(self.filter.rig.parameters),
-            c,
+            self.settings,
             bounds,
         )
-        return plan.u[0], plan
+        return Plan(u, z, gains, np.zeros_like(plan.first))
 
     def first_plan(self, k: np.ndarray) -> Plan:
-        """Plan along the reference from control periods k (N,) on, without feedback."""
+        """Plan along the reference, without feedback."""
         nodes = np.minimum(k + self.stride * np.arange(self.settings.nodes + 1)[:, None], self.x.shape[1] - 1)
         z = np.concatenate((self.x[:, nodes], self.u[:, nodes])).transpose(1, 0, 2)
         u = np.clip(self.u[:, nodes[:-1]].transpose(1, 0, 2), *self.voltage_limits)
-        return Plan(u, z, np.zeros((self.settings.nodes, N_INPUTS, N_FLIGHT, len(k))))
+        return Plan(u, z, np.zeros((self.settings.nodes, N_INPUTS, N_FLIGHT, len(k))), np.ones(len(k), bool))
 
 
 @dataclass(eq=False)
@@ -174,7 +199,7 @@ class AdaptiveRegulator(FilteredPolicy):
 
     regulator: Regulator | None = None
 
-    def control(self, plan: Plan | None, k: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, None]:
+    def control(self, plan: Any, k: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, None]:
         assert self.regulator is not None
         rig = self.filter.rig
         x, v = self.x[:, k], np.stack(virtual_input(rig.thrust(self.u[:, k])))

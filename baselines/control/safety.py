@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from heli_gym.baselines.control.estimation import Actuator, nominal_actuator, predict
+from heli_gym.baselines.control.estimation import Actuator, nominal_actuator, predict, rotor_response
 from heli_gym.baselines.control.protocol import Policy, StatefulPolicy, expand_batch_dims, step_index
 from heli_gym.model import dynamics, fan_thrusts, virtual_input
 from heli_gym.parameters import AMPLIFIER_LIMITS
@@ -28,6 +28,7 @@ class Memory(NamedTuple):
     base: Any  # memory of the policy if it is a `StatefulPolicy`
     rotors: np.ndarray  # (2, ...) simulated rotor speeds, as voltages in V
     pending: tuple[np.ndarray, ...]  # (2, ...) each in V: commands still in the delay line, oldest first
+    before: np.ndarray | None = None  # without a delay: rotor speeds (2, ...) before the last period
 
 
 @dataclass(eq=False)
@@ -72,7 +73,7 @@ class SafetyFilter(StatefulPolicy):
         k = step_index(t, self.control_period, self.x.shape[1] - 1)
         u = expand_batch_dims(self.u[:, k], measurement) + np.zeros(measurement.shape[1:])
         base = self.base.init(t, measurement) if isinstance(self.base, StatefulPolicy) else None
-        return Memory(base, u, (u,) * self.actuator.delay)
+        return Memory(base, u, (u,) * self.actuator.delay, None if self.actuator.delay else u)
 
     def step(self, memory: Memory, t: float | np.ndarray, measurement: np.ndarray) -> tuple[np.ndarray, Memory]:
         if isinstance(self.base, StatefulPolicy):
@@ -87,7 +88,17 @@ class SafetyFilter(StatefulPolicy):
             base = self.base.with_applied_input(base, u)
         pending = (*memory.pending, u)
         _, rotors = self.predict(measurement, memory.rotors, pending[0])
-        return u, Memory(base, rotors, pending[1:])
+        return u, Memory(base, rotors, pending[1:], None if self.actuator.delay else memory.rotors)
+
+    def with_applied_input(self, memory: Memory, u: np.ndarray) -> Memory:
+        """Memory after a step in which the voltages u (2, ...) in V were applied instead of the filter's own."""
+        applied, base = np.clip(u, *self.voltage_limits), memory.base
+        if base is not None and hasattr(self.base, "with_applied_input"):
+            base = self.base.with_applied_input(base, u)
+        if self.actuator.delay:
+            return memory._replace(base=base, pending=(*memory.pending[:-1], applied))
+        rotors = rotor_response(memory.before, applied, self.actuator.lag, self.control_period)
+        return memory._replace(base=base, rotors=rotors)
 
     def filter_voltages(self, x: np.ndarray, rotors: np.ndarray, u: np.ndarray) -> np.ndarray:
         """Voltages (2, ...) in V within the barriers at states x (6, ...), closest to u in thrust difference."""
@@ -98,14 +109,17 @@ class SafetyFilter(StatefulPolicy):
         )
         slope = at_one - at_zero
         pitch, rate = x[4] + lag * x[5], x[5] + lag * now
-        strongest = float(self.rig.thrust(np.full(2, self.voltage_limits[1])).min())
+        low_voltage, high_voltage = self.voltage_limits
+        weakest = float(self.rig.thrust(np.full(2, low_voltage)).max())
+        strongest = float(self.rig.thrust(np.full(2, high_voltage)).min())
         braking = BRAKING * np.abs(slope) * strongest
         low, high = self.pitch_limits
         most = greatest_acceleration(high - MARGIN - pitch, rate, braking)
         least = -greatest_acceleration(pitch - low - MARGIN, -rate, braking)
         bounds = np.sort([(least - at_zero) / slope, (most - at_zero) / slope], axis=0)
         difference = np.clip(v2, bounds[0], bounds[1])
-        total = np.maximum(np.minimum(v1, 2.0 * strongest - np.abs(difference)), np.abs(difference))
+        size = np.abs(difference)
+        total = np.maximum(np.minimum(v1, 2.0 * strongest - size), size + 2.0 * weakest)
         limited = np.clip(self.rig.voltage(fan_thrusts((total, difference))), *self.voltage_limits)
         return np.where(difference == v2, u, limited)
 

@@ -120,10 +120,10 @@ def fly_repeatedly(env: gym.Env, base: ModelPolicy, flights: int = 10, seed: int
 
 
 def check_policy(policy: Policy, env: Heli3DOFEnv | Heli3DOFVectorEnv, reference: Trajectory) -> None:
-    """Raise ValueError for a policy with another control period, amplifier or reference.
+    """Raise ValueError for a policy with another control period, amplifier, rig or reference.
 
-    The check uses the policy's optional attributes `control_period` (s), `voltage_limits` (V) and `reference_states`
-    (6, K + 1) on the control grid.
+    The check uses the policy's optional attributes `control_period` (s), `voltage_limits` (V), `rig` and
+    `reference_states` (6, K + 1) on the control grid.
     """
     name = f"policy: this {type(policy).__name__} was made for"
     period = getattr(policy, "control_period", env.control_period)

@@ -1,5 +1,7 @@
 """Adaptive filter: prediction, convergence and Coriolis effects."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -77,6 +79,20 @@ def test_the_priors_are_the_documented_ranges():
     assert mean[1] == pytest.approx(1.0 - 0.5 * LAB_ROTORS.thrust_loss.high)
     assert_allclose(deviation[2:5], [(r.high - r.low) / 12**0.5 for r in LAB_FRICTION.viscous])
     assert_allclose(prior_moments(FilterNoise(adaptive=False))[1], 0.0)
+
+
+@pytest.mark.parametrize(
+    ("lag", "scale"), [(0.005, 0.05), (0.05, 1.0), (0.08, 1.0), (0.2, 1.0), (0.4, 4.0), (0.0, 0.0)]
+)
+def test_the_lag_is_estimated_in_a_range_around_that_of_the_rig(lag, scale):
+    filter_ = AdaptiveFilter(replace(PAPER, lag=lag), 0.02, FilterNoise())
+    x, u = REFERENCE(np.array([3.0]))
+    estimate = filter_.init(x, u)
+    assert estimate.s[LAG, 0] == pytest.approx(scale * 0.125)
+    assert estimate.P[LAG, LAG, 0] == pytest.approx((scale * 0.15) ** 2 / 12.0)
+    for far, bound in ((-1.0, 0.02), (9.0, 0.5)):
+        estimate.s[LAG] = far
+        assert filter_.step(estimate, x[0::2], None).s[LAG, 0] == pytest.approx(scale * bound)
 
 
 def test_during_a_flight_the_filter_converges_to_the_plants_draw():

@@ -163,6 +163,19 @@ def test_after_a_measurement_that_is_no_number_the_flight_goes_on(name, tmp_path
 
 
 @needs_cc
+@pytest.mark.parametrize("name", ["kalman-lqr", "residual"])
+def test_c_saturates_at_the_amplifier_of_the_policy(name, tmp_path):
+    policy = make_policy(name, TRAVEL_360, voltage_limits=(1.0, 9.0))
+    c_policy, low = CPolicy(policy, TRAVEL_360.rig, "double", tmp_path), np.array([0.0, 0.0, 0.8, 0.0, 0.0, 0.0])
+    c_policy.reset(None)
+    policy.reset(np.random.default_rng(0))
+    for k in range(20):
+        y = TRAVEL_360(k * PERIOD)[0] + (low if k % 2 else -low)
+        expected = np.clip(policy(k * PERIOD, y), 1.0, 9.0)
+        assert_allclose(c_policy(k * PERIOD, y), expected, rtol=0.0, atol=1e-9)
+
+
+@needs_cc
 def test_a_time_that_is_no_number_counts_as_the_start(tmp_path):
     c_policy, x = CPolicy(make_policy("residual", TRAVEL_360), TRAVEL_360.rig, "double", tmp_path), TRAVEL_360.x[:, 0]
     c_policy.reset(None)

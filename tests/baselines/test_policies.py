@@ -19,7 +19,7 @@ from heli_gym.baselines.control.weights import LAG_LQR, LQI, TVLQR, WEIGHTS, sto
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.env import Heli3DOFEnv, find_reference
 from heli_gym.plant import Plant, Push, Rotors
-from heli_gym.rig import PAPER
+from heli_gym.rig import PAPER, find_rig
 from heli_gym.task import to_action
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
@@ -300,7 +300,7 @@ def test_a_residual_policy_corrects_the_base_as_the_amplifier_that_it_is_made_fo
 
 
 @pytest.mark.parametrize("delay", [0, 1, 3])
-@pytest.mark.parametrize("name", ["lag-lqr", "kalman-lqr", "adaptive-lqr"])
+@pytest.mark.parametrize("name", ["lag-lqr", "kalman-lqr", "adaptive-lqr", "l1-adaptive", "lag-lqr+safe"])
 def test_voltages_that_were_applied_in_place_of_its_own_turn_the_rotors_of_a_policys_model(name, delay):
     rig = replace(PAPER, delay=0.02 * delay)
     reference = replace(REFERENCE, rig=rig)
@@ -318,6 +318,11 @@ def test_voltages_that_were_applied_in_place_of_its_own_turn_the_rotors_of_a_pol
     share = 1.0 - math.exp(-0.02 / lag)
     difference = (changed.rotors - unchanged.rotors).reshape(2)
     assert_allclose(difference, share * (applied - own), rtol=2e-2 if name == "adaptive-lqr" else 1e-9)
+
+
+def test_a_model_based_design_has_the_amplifier_of_its_rig():
+    rig = find_rig("ntnu")
+    assert lag_lqr(replace(REFERENCE, rig=rig), 0.02, rig).voltage_limits == rig.voltage_limits
 
 
 def test_the_middle_voltage_is_that_of_the_amplifier():

@@ -1,5 +1,7 @@
 """`ResidualAction`: corrections of a controller by any learner."""
 
+from dataclasses import replace
+
 import gymnasium as gym
 import numpy as np
 import pytest
@@ -9,7 +11,9 @@ from independent import EitherReference
 from numpy.testing import assert_allclose, assert_array_equal
 
 from heli_gym.baselines import ResidualAction, VectorResidualAction, fly, make_policy
-from heli_gym.env import find_reference, reference_for
+from heli_gym.baselines.control.residual import ResidualPolicy
+from heli_gym.env import find_reference
+from heli_gym.rig import PAPER
 
 SHORT = find_reference("climb-7.5")
 BASES = ("feedforward+tvlqr", "lag-lqr", "kalman-lqr", "lqi")
@@ -118,6 +122,8 @@ def test_other_environments_and_actions_are_refused():
         ("feedforward+tvlqr", {"reference": SHORT, "plant": "lab", "start_spread_deg": 3.0}),
         ("kalman-lqr", {"reference": SHORT, "plant": "lab", "start_spread_deg": 3.0, "random_start": True}),
         ("lag-lqr", SAMPLED),
+        ("nmpc", {"reference": SHORT, "plant": "lab", "start_spread_deg": 3.0, "random_start": True}),
+        ("residual", {"reference": SHORT, "plant": "lab", "start_spread_deg": 3.0, "random_start": True}),
     ],
 )
 def test_each_of_many_flies_as_if_alone(mode, base, arguments):
@@ -182,9 +188,20 @@ def test_the_base_is_made_for_the_rig_of_the_environment(rig):
     assert info["is_success"].all()
 
 
-@pytest.mark.parametrize("base", ["kalman-lqr", "adaptive-lqr"])
+@pytest.mark.parametrize("base", ["kalman-lqr", "adaptive-lqr", "l1-adaptive", "lag-lqr+safe"])
 def test_without_a_whole_period_of_delay_zero_flies_the_base_bit_for_bit(base):
-    reference = reference_for("climb-7.5", "quanser")
-    expected = fly(gym.make("Heli3DOF-v0", rig="quanser", reference=reference), make_policy(base, reference), seed=3)
-    steps = flight(ResidualAction(gym.make("Heli3DOF-v0", rig="quanser", reference=reference), base), 3, np.zeros(2))
+    rig = replace(PAPER, delay=0.002)
+    reference = replace(SHORT, rig=rig)
+    expected = fly(gym.make("Heli3DOF-v0", rig=rig, reference=reference), make_policy(base, reference), seed=3)
+    steps = flight(ResidualAction(gym.make("Heli3DOF-v0", rig=rig, reference=reference), base), 3, np.zeros(2))
     assert_array_equal(np.array([info["state"] for _, info in steps]).T, expected.x)
+
+
+@pytest.mark.parametrize("base", ["feedforward+tvlqr", "kalman-lqr", "adaptive-lqr", "l1-adaptive", "lag-lqr+safe"])
+def test_a_learned_policy_corrects_the_base_as_the_wrapper_did_in_training(base):
+    action = np.array([0.2, -0.1], np.float32)
+    env = ResidualAction(gym.make("Heli3DOF-v0", plant="lab", reference=SHORT), base, authority=2.0)
+    learned = ResidualPolicy(make_policy(base, SHORT), SHORT, lambda features: action.astype(float), 2.0)
+    flown = fly(gym.make("Heli3DOF-v0", plant="lab", reference=SHORT), learned, seed=3)
+    steps = flight(env, 3, action)
+    assert_allclose(np.array([info["state"] for _, info in steps]).T, flown.x, atol=1e-6)

@@ -1,7 +1,7 @@
 """Rollouts: true trajectories of any policy, wrapped or not."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import gymnasium as gym
 import numpy as np
@@ -11,10 +11,11 @@ from numpy.testing import assert_allclose, assert_array_equal
 from scipy.integrate import solve_ivp
 
 from heli_gym import Maneuver, Trajectory
-from heli_gym.baselines import ManeuverSampler, fly, make_policy, plan
+from heli_gym.baselines import POLICIES, ManeuverSampler, fly, make_policy, plan
 from heli_gym.baselines.evaluation.metrics import flight_metrics
-from heli_gym.baselines.evaluation.rollout import fly_many
+from heli_gym.baselines.evaluation.rollout import check_policy, fly_many, fly_repeatedly
 from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.rig import PAPER
 from heli_gym.vector_env import Heli3DOFVectorEnv
 
 REFERENCE = find_reference("travel-360")
@@ -187,6 +188,22 @@ def test_a_policy_for_another_amplifier_is_refused(flown):
         flown(policy, voltage_limits=(1.0, 10.0))
     policy.voltage_limits = (1.0, 10.0)
     flown(policy, voltage_limits=(1.0, 10.0))
+
+
+@pytest.mark.parametrize("name", [name for name in POLICIES if name not in ("zero", "middle-voltage")])
+def test_a_policy_for_another_rig_is_refused_by_name(name):
+    if name == "linear-mpc":
+        pytest.importorskip("osqp")
+    other = replace(PAPER, name="other", parameters=PAPER.parameters._replace(a3=0.02))
+    env = Heli3DOFEnv(reference=replace(REFERENCE, rig=other), rig=other)
+    with pytest.raises(ValueError, match="is for the rig 'paper', and env's is 'other'"):
+        check_policy(make_policy(name, REFERENCE), env, env.reference)
+
+
+def test_repeated_flights_on_another_rig_are_refused():
+    other = replace(PAPER, name="other", parameters=PAPER.parameters._replace(a3=0.02))
+    with pytest.raises(ValueError, match="is for the rig 'paper', and env's is 'other'"):
+        fly_repeatedly(Heli3DOFEnv(reference=replace(REFERENCE, rig=other), rig=other), make_policy("lqi", REFERENCE))
 
 
 @pytest.mark.parametrize("policy", [make_policy("zero", REFERENCE), Scripted(np.full(2, 7.9))])

@@ -1,5 +1,7 @@
 """Safety filter: pitch stays within the stop for any policy, and voltages are unchanged far from it."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
@@ -7,9 +9,10 @@ from numpy.testing import assert_array_equal
 from heli_gym.baselines import fly, make_policy
 from heli_gym.baselines.control.protocol import MemorylessPolicy
 from heli_gym.baselines.control.safety import safety_filter
-from heli_gym.env import Heli3DOFEnv, find_reference, reference_for
+from heli_gym.env import Heli3DOFEnv, find_reference
+from heli_gym.model import virtual_input
 from heli_gym.plant import Plant, Rotors
-from heli_gym.rig import PAPER
+from heli_gym.rig import PAPER, find_rig
 
 REFERENCE = find_reference("travel-360")
 LAGGING = Plant(rotors=Rotors(lag=0.1, delay=0.02))
@@ -53,9 +56,22 @@ def test_the_filter_broadcasts():
         np.testing.assert_allclose(policy(0.0, x[:, i]), together[:, i], rtol=1e-12)
 
 
-@pytest.mark.parametrize("name", ["lag-lqr", "kalman-lqr", "adaptive-lqr"])
+@pytest.mark.parametrize("name", ["lag-lqr", "kalman-lqr", "adaptive-lqr", "l1-adaptive"])
 def test_on_a_rig_without_a_whole_period_of_delay_too_the_policy_flies_bit_for_bit(name):
-    reference = reference_for("climb-7.5", "quanser")
-    env = Heli3DOFEnv(reference=reference, rig="quanser")
+    rig = replace(PAPER, delay=0.002)
+    reference = replace(find_reference("climb-7.5"), rig=rig)
+    env = Heli3DOFEnv(reference=reference, rig=rig)
     plain, safe = (fly(env, make_policy(one, reference), seed=0) for one in (name, f"{name}+safe"))
     assert_array_equal(safe.u, plain.u)
+
+
+def test_fans_that_reverse_leave_the_thrust_sum_as_it_was():
+    rig = find_rig("ntnu")
+    policy = make_policy("zero+safe", replace(REFERENCE, rig=rig))
+    x = np.array([0.0, 0.0, 0.0, 0.0, 0.6 * rig.pitch_limit, 0.0])
+    wanted = np.array([9.0, -9.0])
+    u = policy.filter_voltages(x, np.full(2, 5.0), wanted)
+    assert (np.abs(u) <= 10.0).all()
+    sums, differences = zip(*(virtual_input(rig.thrust(one)) for one in (wanted, u)))
+    assert differences[1] < differences[0] - 0.1
+    assert sums[1] == pytest.approx(sums[0])

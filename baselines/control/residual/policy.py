@@ -26,6 +26,7 @@ from heli_gym.baselines.control.residual.features import (
 from heli_gym.baselines.control.residual.networks import RecurrentNetwork
 from heli_gym.baselines.control.residual.step import SingleStep
 from heli_gym.parameters import AMPLIFIER_LIMITS
+from heli_gym.rig import Rig
 from heli_gym.task import TOLERANCE, control_grid
 from heli_gym.trajectory import Trajectory
 from heli_gym.validation import is_number
@@ -47,7 +48,7 @@ class ResidualPolicy(StatefulPolicy):
     """Base policy with a learned correction; with scale 0 it flies the base policy bit for bit.
 
     Args:
-        base: policy to correct; a `ModelPolicy` receives the voltages that were applied.
+        base: policy to correct; its method `with_applied_input`, if any, receives the voltages that were applied.
         reference: trajectory to track.
         network: function of features (F, ...) that returns actions (2, ...) in [-1, 1], or a `RecurrentNetwork`.
         scale: greatest correction in V.
@@ -86,6 +87,11 @@ class ResidualPolicy(StatefulPolicy):
         ahead = [control_grid(self.reference, self.control_period, seconds)[0] for seconds in self.ahead]
         self.preview = np.concatenate([(x / STATE_SCALE[:, None])[1:] for x in ahead])
         self.past_steps = [round(seconds / self.control_period) for seconds in BEFORE]
+
+    @property
+    def rig(self) -> Rig | None:
+        """Rig that the base policy assumes; `fly` checks it."""
+        return getattr(self.base, "rig", None)
 
     @property
     def reference_states(self) -> np.ndarray:
@@ -195,7 +201,7 @@ class ResidualPolicy(StatefulPolicy):
             u_base = np.clip(u_base, *self.voltage_limits)
         u = u_base + self.scale * action if self.scale else u_base
         base = memory.base
-        if isinstance(self.base, ModelPolicy) and self.scale:
+        if self.scale and hasattr(self.base, "with_applied_input"):
             base = self.base.with_applied_input(base, u)
         error = (measurement - expand_batch_dims(self.x[:, k], measurement))[0::2]
         tolerances = expand_batch_dims(np.array(TOLERANCE[0::2]), measurement)
