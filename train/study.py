@@ -102,30 +102,38 @@ class Trial:
 
 
 def read_study(path: Path) -> Study:
-    """Read a study. Raises ValueError that names the error in it, OSError for an unreadable file."""
+    """Read a study. Raises ValueError that names the file and the error in it, OSError for an unreadable file."""
     try:
         tables = parse_toml(path.read_text(encoding="utf-8"))
     except ValueError as error:
         raise ValueError(f"study = {str(path)!r}: must be TOML: {error}") from error
+    try:
+        return study_of(tables)
+    except ValueError as error:
+        raise ValueError(f"study = {str(path)!r}: {error}") from error
+
+
+def study_of(tables: dict[str, Any]) -> Study:
+    """Study of the tables in its file. Raises ValueError that names the error in it."""
     settings, grid, search = (tables.pop(name, {}) for name in ("settings", "grid", "search"))
     if tables:
-        raise ValueError(f"study: {', '.join(tables)}: must be within [settings], [grid] or [search]")
+        raise ValueError(f"{', '.join(tables)}: must be within [settings], [grid] or [search]")
     if not all(isinstance(table, dict) for table in (settings, grid, search)):
-        raise ValueError("study: settings, grid and search must be tables")
+        raise ValueError("settings, grid and search must be tables")
     study = Study(settings, grid, read_search(search) if search else None)
     known = {field.name for field in fields(train.Args)} - set(OURS)
     names = [*settings, *study.varied]
     for name in names:
         if name not in known:
-            raise ValueError(f"study: {name!r} must be a setting of heli-train: {', '.join(sorted(known))}")
+            raise ValueError(f"{name!r} must be a setting of heli-train: {', '.join(sorted(known))}")
         if names.count(name) > 1:
-            raise ValueError(f"study: {name!r}: must be in one of [settings], [grid] and [search.space], not in both")
+            raise ValueError(f"{name!r}: must be in one of [settings], [grid] and [search.space], not in both")
     for name, values in grid.items():
         if not isinstance(values, list) or not values:
-            raise ValueError(f"study: grid.{name} = {values!r}: must be a list of values")
+            raise ValueError(f"grid.{name} = {values!r}: must be a list of values")
     trials = math.prod(map(len, grid.values())) * (study.search.trials if study.search else 1)
     if trials > MOST_TRIALS:
-        raise ValueError(f"study: {trials} trials: must be at most {MOST_TRIALS}")
+        raise ValueError(f"{trials} trials: must be at most {MOST_TRIALS}")
     return study
 
 
@@ -134,18 +142,18 @@ def read_search(table: dict[str, Any]) -> Search:
     known = [field.name for field in fields(Search)]
     for name in table:
         if name not in known:
-            raise ValueError(f"study: search.{name} must be one of {', '.join(known)}")
+            raise ValueError(f"search.{name} must be one of {', '.join(known)}")
     if "trials" not in table or not isinstance(table.get("space"), dict) or not table["space"]:
-        raise ValueError("study: search must have trials, and a space with at least one setting")
+        raise ValueError("search must have trials, and a space with at least one setting")
     for name, least in (("trials", 1), ("batch", 1), ("seed", 0)):
         value = table.get(name, least)
         if not isinstance(value, int) or isinstance(value, bool) or value < least:
-            raise ValueError(f"study: search.{name} = {value!r}: must be an integer of at least {least}")
+            raise ValueError(f"search.{name} = {value!r}: must be an integer of at least {least}")
     search = Search(**table)
     if search.metric not in METRICS:
-        raise ValueError(f"study: search.metric = {search.metric!r}: must be one of {', '.join(METRICS)}")
+        raise ValueError(f"search.metric = {search.metric!r}: must be one of {', '.join(METRICS)}")
     for name, space in search.space.items():
-        check_space(f"study: search.space.{name} = {space!r}", space)
+        check_space(f"search.space.{name} = {space!r}", space)
     return search
 
 

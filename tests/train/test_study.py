@@ -147,6 +147,12 @@ def test_an_error_of_a_study_is_named(tmp_path, text, words):
             check_distinct(trials_of(found, candidate))
 
 
+@pytest.mark.parametrize("text", ["[settings", "[setings]", "[settings]\nplent = 'lab'", "[search]\ntrials = 3"])
+def test_an_error_of_a_study_names_its_file(tmp_path, text):
+    with pytest.raises(ValueError, match=r"^study = '.*/study\.toml': "):
+        study(tmp_path, text)
+
+
 def test_proposals_depend_on_the_values_of_earlier_candidates_only():
     pytest.importorskip("optuna")
     space = {"learning_rate": {"low": 1e-4, "high": 1e-2, "log": True}, "epochs": {"low": 1, "high": 9, "step": 2}}
