@@ -186,16 +186,15 @@ def load_sb3(path: str) -> Agent:
 
     Only the parameters, the name of the activation function and the options of gSDE are read.
 
-    Raises ValueError for another file or another network.
+    Raises OSError if the file cannot be read, ValueError for another file or another network.
     """
-    try:
-        with zipfile.ZipFile(path) as archive:
-            tensors = read_state_dict(member(archive, "policy.pth"))
-            settings = parse_json(member(archive, "data"))
-    except OSError:
-        raise
-    except Exception as error:  # a damaged archive, tensor table or JSON raises many types
-        raise ValueError(f"policy = {path!r}: must be a model that Stable-Baselines3 saved: {error}") from error
+    with open(path, "rb") as file:
+        try:
+            with zipfile.ZipFile(file) as archive:
+                tensors = read_state_dict(member(archive, "policy.pth"))
+                settings = parse_json(member(archive, "data"))
+        except Exception as error:  # a damaged archive, tensor table or JSON raises many types, OSError among them
+            raise ValueError(f"policy = {path!r}: must be a model that Stable-Baselines3 saved: {error}") from error
     layouts = (  # names of hidden and last layers, default activation, tanh at the end
         ("mlp_extractor.policy_net.", "action_net.", "Tanh", False),
         ("actor.latent_pi.", "actor.mu.", "ReLU", True),

@@ -182,6 +182,14 @@ def test_a_model_that_would_run_code_is_refused_and_runs_nothing(tmp_path, monke
     assert not (tmp_path / "touched").exists()
 
 
+def test_an_archive_without_its_beginning_is_refused_by_the_name_of_its_file(tmp_path):
+    with zipfile.ZipFile(tmp_path / "whole.zip", "w") as archive:
+        archive.writestr("policy.pth", bytes(100))
+    (tmp_path / "cut.zip").write_bytes((tmp_path / "whole.zip").read_bytes()[10:])
+    with pytest.raises(ValueError, match=r"cut\.zip': must be a model that Stable-Baselines3 saved"):
+        make_pilot(tmp_path / "cut.zip", REFERENCE)
+
+
 def test_mutations_of_a_model_are_named_errors_or_load_finite_numbers(tmp_path, env):
     sb3 = pytest.importorskip("stable_baselines3")
     model = sb3.PPO("MlpPolicy", env, device="cpu", policy_kwargs={"net_arch": [8]})
