@@ -69,7 +69,8 @@ def test_iterated_to_convergence_a_plan_is_the_optimum_of_a_general_solver(off, 
     x = REFERENCE(4.0)[0] + np.array([off, 0.0, -off / 2.0, 0.0, 0.1, 0.0])
     s = policy.init(4.0, x).estimate.s.copy()
     s[:6, 0] = x
-    _, plan = policy.control(None, np.array([200]), s)
+    k = np.array([200])
+    _, plan = policy.control(policy.first_plan(k), k, s)
     assert plan.u.min() >= 0.0 and plan.u.max() <= 12.0
 
     targets, model = np.empty((9, 10)), with_estimates(s[:, 0], P, FANS)
