@@ -168,8 +168,8 @@ def discard_output() -> None:
 
 
 def announce_replaced(program: str, *paths: Path) -> None:
-    """List on standard error the existing files that the command will replace."""
-    earlier = [str(path) for path in paths if path.exists()]
+    """List on standard error the existing files that the command will replace; a device or a pipe is none."""
+    earlier = [str(path) for path in paths if path.is_file() or path.is_dir()]
     if earlier:
         with contextlib.suppress(OSError, ValueError, AttributeError):
             print(f"{program}: replaces {', '.join(earlier)} of an earlier run", file=sys.stderr, flush=True)

@@ -34,8 +34,21 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
 
     Any number of threads and processes may write the same file: one of them wins. Temporary files of killed processes
     are removed by the next process that writes the file. A link is followed; a device or a pipe is written to directly.
+    An OSError without a file name, as of a full disk, gets that of the path.
     """
     path = Path(os.path.realpath(path))
+    try:
+        with atomic_file(path) as file:
+            yield file
+    except OSError as error:
+        if error.filename is None:
+            error.filename = str(path)
+        raise
+
+
+@contextmanager
+def atomic_file(path: Path) -> Iterator[BinaryIO]:
+    """File of `atomic_write`, by its real path."""
     if path.is_symlink():
         raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), str(path))
     if path.exists() and not path.is_file() and not path.is_dir():

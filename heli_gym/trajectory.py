@@ -118,8 +118,9 @@ class Maneuver:
             if abs(elevation) >= math.pi / 2 or not low < 0.5 * thrust_sum < high:
                 front, back = rig.hover_voltage(elevation)
                 volts = f"{front:.2f} V on each motor" if front == back else f"{front:.2f} and {back:.2f} V"
+                given = name if getattr(self, f"{name}_state") is None else f"{name}_state"
                 raise ValueError(
-                    f"{name} = {getattr(self, name)!r}: hover at elevation {math.degrees(elevation):.2f} deg takes "
+                    f"{given} = {getattr(self, given)!r}: hover at elevation {math.degrees(elevation):.2f} deg takes "
                     f"{volts}, and the limits are {self.limits.u_min:g} to {self.limits.u_max:g} V"
                 )
 

@@ -505,8 +505,8 @@ def try_one(k: int, draw: "Draw") -> tuple[str, str]:
         return attempt(draw), name
     except DOCUMENTED as error:
         text = str(error)
-        subject = re.split(r" = |: | must ", text)[0]  # a value may hold other names
-        is_named = isinstance(error, InfeasibleManeuver) or not draw.names.isdisjoint(re.findall(r"\w+", subject))
+        words = re.findall(r"\w+", re.sub(r" = .*?: ", ": ", text, flags=re.S))  # a value may hold other names
+        is_named = isinstance(error, InfeasibleManeuver) or not draw.names.isdisjoint(words)
         return "refused by name" if is_named else f"{k} not named: {text}"[:200], name
     except TypeError as error:
         return "refused by name" if "reset_mask" in str(error) else f"{k} {name} TypeError: {error}"[:200], name

@@ -218,8 +218,8 @@ def names_cause(arguments: list[str], said: str) -> bool:
     words = [argument.lstrip("-").partition("=")[0] for argument in arguments]
     words += [part for argument in arguments if argument.startswith("/") for part in Path(argument).parts[2:]]
     plain = [word for word in words if word and word.isascii() and word.isprintable()]
-    numbers = {number.lstrip("-") for number in NUMBERS}
-    plain = [word for word in plain if word not in numbers] or plain  # "at least 0" does not name a value
+    # the 0 of "at least 0" is no name
+    plain = [word for word in plain if not re.fullmatch(r"[\d.,]+", word)] or plain
     names = [name for word in plain for name in (word, word.replace("-", "_"))]
     beginnings = [word[:8] for word in plain if len(word) > 20]  # long values are shortened
     return (

@@ -288,6 +288,12 @@ def test_a_folder_that_the_system_denies_is_said_at_once_with_status_1(place, mo
     assert sorted(os.listdir(place)) == ["FILE", "FOLDER"]
 
 
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="the system has no full device")
+def test_a_full_disk_is_said_by_the_name_of_the_file(place, monkeypatch, capsys):
+    assert run(monkeypatch, "heli-export-onnx", ["--out", "/dev/full"]) == 1
+    assert capsys.readouterr().err == "heli-export-onnx: /dev/full: No space left on device\n"
+
+
 PLAN = ["--travel-deg", "0", "--elevation-deg", "-5", "--duration", "5"]
 REPLACED = {
     "heli-plan": ([*PLAN, "--figure", "--out", "a.npz"], ["a.npz", "a.png"]),

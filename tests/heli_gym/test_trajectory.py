@@ -60,6 +60,12 @@ def test_a_set_point_is_accepted_if_and_only_if_hover_holds_it_within_the_voltag
             Maneuver(**{name: (1.0, elevation)})
 
 
+@pytest.mark.parametrize("name", ["start_state", "goal_state"])
+def test_an_elevation_that_hover_does_not_hold_is_refused_by_the_argument_that_gave_it(name):
+    with pytest.raises(ValueError, match=rf"^{name} = \(0.0, 0.0, 1.0, .*hover at elevation 57.30 deg takes"):
+        Maneuver(**{name: (0.0, 0.0, 1.0, 0.0, 0.0, 0.0)})
+
+
 def test_a_wider_voltage_window_holds_more():
     with pytest.raises(ValueError, match="goal"):
         Maneuver(goal=(0.0, math.radians(-22.0)))
