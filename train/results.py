@@ -65,7 +65,7 @@ class Args:
     force: bool = False  # fly a plan even if it is for another rig
     episodes: int = 100  # number of draws
     seed: int = HELD_OUT_SEED  # seed of the first draw, then counting up
-    oracle: int = 0  # number of draws for the oracle, too: 3 s each on lab, 40 s on rigid
+    oracle: int = 0  # number of draws for the oracle, too: 2 s each on lab, 15 s on rigid
     workers: int = 1  # processes for the oracle
     out: Path = Path("out/results")
 
