@@ -264,7 +264,7 @@ def test_weights_of_another_policy_are_refused(name, weights):
 
 def test_weights_are_stored_for_a_plant_and_flown_from_there(tmp_path, monkeypatch):
     monkeypatch.setattr("heli_gym.baselines.control.weights.stored.TUNED", tmp_path)
-    with pytest.raises(ValueError, match="'lqi@moon': no weights are stored"):
+    with pytest.raises(ValueError, match=r"'lqi@moon': no weights are stored .* in .*moon.json"):
         make_policy("lqi@moon", REFERENCE)
     weights = replace(LQI, travel=12.5)
     store_weights("lqi", "moon", weights)

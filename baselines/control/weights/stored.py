@@ -38,7 +38,9 @@ def stored_weights(name: str, plant: str, rig: Rig = PAPER) -> Any:
         path = TUNED / f"{plant}.json"
     known = read_json_object(path) if path.is_file() else {}
     if name not in known:
-        raise ValueError(f"{called}: no weights are stored for the rig {rig.name!r}; heli-tune --store stores some")
+        raise ValueError(
+            f"{called}: no weights are stored for the rig {rig.name!r} in {path}; heli-tune --store stores some"
+        )
     try:
         own = Rig.from_toml(str(known["rig"])) if "rig" in known else PAPER
     except ValueError as error:
