@@ -10,7 +10,6 @@ import json
 import sys
 from dataclasses import dataclass
 from functools import lru_cache
-from hashlib import sha256
 from pathlib import Path
 from typing import NamedTuple
 
@@ -24,7 +23,8 @@ from heli_gym import __version__
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.weights import tuned_name
-from heli_gym.baselines.evaluation.conditions import rig_of
+from heli_gym.baselines.evaluation.conditions import nominal_rig
+from heli_gym.baselines.evaluation.digests import digest_of
 from heli_gym.baselines.evaluation.engine import check_engine, open_engine, progress_bar
 from heli_gym.baselines.evaluation.metrics import flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
@@ -70,20 +70,20 @@ class Args:
     out: Path = Path("out/results")
 
     @property
-    def nominal_rig(self) -> str:
+    def flown_rig(self) -> str:
         """Name or file of the rig."""
-        return self.rig or rig_of(self.plant)
+        return nominal_rig(self.plant, self.rig)
 
 
 def policies(args: Args) -> tuple[str, ...]:
     """Names of the classical policies."""
-    rig = find_rig(args.nominal_rig)
+    rig = find_rig(args.flown_rig)
     return tuple(dict.fromkeys(tuned_name(name, args.plant, rig) for name in args.policies))
 
 
 def against(args: Args) -> str:
     """Name of the policy to compare the others with."""
-    return tuned_name(args.against, args.plant, find_rig(args.nominal_rig))
+    return tuned_name(args.against, args.plant, find_rig(args.flown_rig))
 
 
 def policy_metrics(envs: Heli3DOFVectorEnv, policy: Policy, seed: int) -> np.ndarray:
@@ -151,16 +151,15 @@ def oracle_metrics(args: Args, reference: Trajectory, console: Console) -> np.nd
     rig are taken from there.
     """
     path = args.out / f"{args.plant}-oracle.json"
-    samples = b"".join(array.tobytes() for array in (reference.t, reference.x, reference.u))
     settings = {
         "version": __version__,
         "plant": args.plant,
-        "reference_sha256": sha256(samples).hexdigest(),
-        "rig_sha256": sha256(find_rig(args.nominal_rig).to_toml().encode()).hexdigest(),
+        "reference_sha256": digest_of(*(array.tobytes() for array in (reference.t, reference.x, reference.u))),
+        "rig_sha256": digest_of(find_rig(args.flown_rig).to_toml().encode()),
     }
     flights = stored_flights(path, settings)
     seeds = range(args.seed, args.seed + args.oracle)
-    task = args.plant, args.reference, args.nominal_rig, args.force
+    task = args.plant, args.reference, args.flown_rig, args.force
     missing = [OracleFlight(*task, seed) for seed in seeds if str(seed) not in flights]
     with open_engine(workers=args.workers) as engine, progress_bar(console) as progress:
         bar = progress.add_task("the oracle", total=len(missing))
@@ -194,9 +193,9 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
     check_engine("local", args.workers)
     if against(args) not in policies(args):
         raise ValueError(f"against = {args.against!r}: must be one of policies = {policies(args)}")
-    reference = reference_for(args.reference, args.nominal_rig, args.force)
+    reference = reference_for(args.reference, args.flown_rig, args.force)
     envs = Heli3DOFVectorEnv(
-        args.episodes, args.plant, reference, start_spread_deg=START_SPREAD_DEG, rig=args.nominal_rig
+        args.episodes, args.plant, reference, start_spread_deg=START_SPREAD_DEG, rig=args.flown_rig
     )
     names = {name: [name] for name in policies(args)}
     for method in args.methods:
@@ -212,7 +211,7 @@ def compare(args: Args, console: Console) -> dict[str, np.ndarray]:
         (label, make_policy(name, reference, envs.control_period)) for label, group in names.items() for name in group
     ]
     if args.oracle:
-        oracle_on(args.plant, args.reference, args.nominal_rig, args.force)
+        oracle_on(args.plant, args.reference, args.flown_rig, args.force)
     results: dict[str, list[np.ndarray]] = {label: [] for label in names}
     for label, policy in track(jobs, "flying", console=console):
         results[label].append(policy_metrics(envs, policy, args.seed))

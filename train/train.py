@@ -43,7 +43,7 @@ from heli_gym.baselines.control.residual import (
 )
 from heli_gym.baselines.control.residual.step import SINGLE_GROUPS
 from heli_gym.baselines.control.weights import tuned_name
-from heli_gym.baselines.evaluation.conditions import rig_of
+from heli_gym.baselines.evaluation.conditions import nominal_rig
 from heli_gym.baselines.evaluation.digests import learned_digest, reference_digest, rig_digest
 from heli_gym.baselines.evaluation.metrics import HALVING_ERROR, Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly_many
@@ -153,7 +153,7 @@ class CompleteArgs(Args):
 
 def with_defaults(args: Args) -> CompleteArgs:
     """Settings completed with the learner's defaults, the plant's rig and the name of the base."""
-    rig = args.rig or rig_of(args.plant)
+    rig = nominal_rig(args.plant, args.rig)
     missing = {name: value for name, value in DEFAULTS[args.algo].items() if getattr(args, name) is None}
     if args.scale is None:
         low, high = find_rig(rig).voltage_limits

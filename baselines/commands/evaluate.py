@@ -17,7 +17,7 @@ from rich.table import Table
 from heli_gym.baselines.control.policies import is_learned, make_policy
 from heli_gym.baselines.evaluation import figure_style, figures
 from heli_gym.baselines.evaluation.agents import make_pilot
-from heli_gym.baselines.evaluation.conditions import describe_draw, find_condition, rig_of
+from heli_gym.baselines.evaluation.conditions import describe_draw, find_condition, nominal_rig
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
 from heli_gym.baselines.evaluation.paper_figures import paper_figures, paper_numbers
 from heli_gym.baselines.evaluation.report import Shown, check_page, write_report
@@ -89,9 +89,9 @@ class Args:
     report: Path | None = None  # .html page to write: table, interactive plots and a 3D replay of the flights
 
     @property
-    def nominal_rig(self) -> str:
+    def flown_rig(self) -> str:
         """Name or file of the rig."""
-        return self.rig or rig_of(self.plant)
+        return nominal_rig(self.plant, self.rig)
 
 
 class Flight(NamedTuple):
@@ -118,7 +118,7 @@ def evaluate(args: Args, console: Console, flights: list[Flight] | None = None) 
         raise ValueError(f"episodes = {args.episodes}: must be at least 1 and at most {MOST_ENVS}")
     if args.seed < 0:
         raise ValueError(f"seed = {args.seed}: must be at least 0")
-    rig = find_rig(args.nominal_rig)
+    rig = find_rig(args.flown_rig)
     exact = Heli3DOFEnv(
         find_condition(args.plant), reference_for(args.reference, rig, args.force), PAPER_PERIOD, rig=rig
     )
@@ -176,7 +176,7 @@ def summarise(flights: Sequence[Flight]) -> list[dict[str, Any]]:
 
 def subject(args: Args) -> str:
     """Text that names plant and rig."""
-    rig = "" if args.nominal_rig == PAPER.name else f" of the rig {find_rig(args.nominal_rig).name}"
+    rig = "" if args.flown_rig == PAPER.name else f" of the rig {find_rig(args.flown_rig).name}"
     return f"{Path(args.reference).name} on the plant {args.plant}{rig}"
 
 
@@ -233,9 +233,9 @@ def report_flights(args: Args, flights: Sequence[Flight]) -> list[Shown]:
     seeds = hardest_first(perturbed)
     names = dict.fromkeys(seeds[:: max(len(seeds) // 2, 1)][:2], "")
     order = [*names, *(seed for seed in sorted(seeds) if seed not in names)]
-    reference = reference_for(args.reference, args.nominal_rig, args.force)
+    reference = reference_for(args.reference, args.flown_rig, args.force)
     envs = Heli3DOFVectorEnv(
-        len(seeds), find_condition(args.plant), reference, control_period=args.control_period, rig=args.nominal_rig
+        len(seeds), find_condition(args.plant), reference, control_period=args.control_period, rig=args.flown_rig
     )
     plant = envs.plants[0]
     envs.reset(seed=args.seed)
@@ -278,7 +278,7 @@ def hardest_first(flights: Sequence[Flight]) -> list[int]:
 
 def draw_figures(args: Args, unconstrained: Trajectory, constrained: Trajectory, console: Console) -> None:
     """Draw the paper's figures except photographs and schematics; Figs. 10 and 11 show the flights of this run."""
-    rig = find_rig(args.nominal_rig)
+    rig = find_rig(args.flown_rig)
     env = Heli3DOFEnv(find_condition(args.plant), reference_for(args.reference, rig, args.force), PAPER_PERIOD, rig=rig)
     reference, title = env.reference, f"{subject(args)} at {PAPER_PERIOD * 1e3:g} ms"
     start = reference.x[:, 0].copy()
@@ -318,7 +318,7 @@ def run(args: Args) -> None:
             raise
         write_results(path, args, flights, [], "interrupted")
         raise KeyboardInterrupt(f"the {len(flights)} flights so far are in {path}") from None
-    is_papers = args.reference == PAPERS_REFERENCE and same_dynamics(find_rig(args.nominal_rig), PAPER)
+    is_papers = args.reference == PAPERS_REFERENCE and same_dynamics(find_rig(args.flown_rig), PAPER)
     unconstrained, constrained = plan_unconstrained(Maneuver()), plan(Maneuver())
     numbers = paper_numbers(unconstrained, constrained, Maneuver()) if is_papers else []
     rows = write_results(path, args, flights, numbers)
@@ -340,7 +340,7 @@ def run(args: Args) -> None:
                 "columns": COLUMNS,
                 "rows": [*map(table_cells, rows)],
             },
-            reference=reference_for(args.reference, args.nominal_rig, args.force),
+            reference=reference_for(args.reference, args.flown_rig, args.force),
             shown=report_flights(args, flights),
             errors={
                 name: [error_deg(flight) for flight in flights if (flight.policy, flight.start) == (name, "perturbed")]

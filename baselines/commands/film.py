@@ -9,7 +9,7 @@ import gymnasium as gym
 import numpy as np
 
 from heli_gym.baselines.control.policies import make_policy
-from heli_gym.baselines.evaluation.conditions import rig_of
+from heli_gym.baselines.evaluation.conditions import nominal_rig
 from heli_gym.baselines.evaluation.rollout import fly
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import Heli3DOFEnv, reference_for
@@ -124,7 +124,7 @@ def run(args: Args) -> None:
     delay(args.frame_time)
     check_folder("out", args.out.parent)
     Renderer(args.width)
-    rig = args.rig or rig_of(args.plant)
+    rig = nominal_rig(args.plant, args.rig)
     env = Heli3DOFEnv(args.plant, reference_for(args.reference, rig, args.force), rig=rig)
     names = args.policies
     if names == Args.policies and not same_dynamics(env.rig, PAPER):  # which the network was not trained for

@@ -23,7 +23,7 @@ from rich.console import Console
 
 from heli_gym.baselines.control.policies import POLICIES
 from heli_gym.baselines.control.weights import WEIGHTS
-from heli_gym.baselines.evaluation.conditions import OUTSIDE, describe_draw, find_condition, rig_of
+from heli_gym.baselines.evaluation.conditions import OUTSIDE, describe_draw, find_condition, nominal_rig
 from heli_gym.baselines.evaluation.digests import policy_digest, reference_digest
 from heli_gym.baselines.evaluation.engine import Engine, EngineName, check_engine, open_engine, progress_bar
 from heli_gym.baselines.evaluation.labels import label_of
@@ -117,7 +117,7 @@ def check(args: Args) -> tuple[list[Condition], Settings]:
         find_condition(plant)
     if args.rig is not None:  # a plant that is a family of rigs, and flies no other
         find_rig(args.rig)
-        plants = [plant for plant in plants if rig_of(plant) in ("paper", args.rig)]
+        plants = [plant for plant in plants if nominal_rig(plant) in ("paper", args.rig)]
         if not plants:
             raise ValueError(f"plants = {args.plants}: must name one that flies the rig {args.rig!r}, like 'lab'")
     conditions = [Condition(plant, reference) for reference in args.references for plant in dict.fromkeys(plants)]
@@ -134,7 +134,7 @@ def digests_of(wanted: Sequence[Batch], settings: Settings) -> dict[str, str]:
     """Digests of the files that the flights of batches depend on, by the argument that names them."""
     found = {}
     for policy, condition in dict.fromkeys((batch.policy, batch.condition) for batch in wanted):
-        rig = settings.rig or rig_of(condition.plant)
+        rig = nominal_rig(condition.plant, settings.rig)
         found[f"policies = {policy!r} on the rig {rig!r}"] = policy_digest(policy, find_rig(rig))
         found[f"references = {condition.reference!r}"] = reference_digest(condition.reference)
     return {name: digest for name, digest in found.items() if digest}

@@ -29,7 +29,7 @@ from heli_gym.baselines.control.discrete_lqr import Weights
 from heli_gym.baselines.control.policies import make_policy
 from heli_gym.baselines.control.protocol import Policy
 from heli_gym.baselines.control.weights import WEIGHTS, store_weights, stored
-from heli_gym.baselines.evaluation.conditions import rig_of
+from heli_gym.baselines.evaluation.conditions import nominal_rig
 from heli_gym.baselines.evaluation.engine import EngineName, check_engine, in_order, open_engine
 from heli_gym.baselines.evaluation.metrics import crash_cost, tracking_reward
 from heli_gym.cli import announce_replaced, command, parse
@@ -187,7 +187,7 @@ def check(args: Args) -> None:
         raise ValueError(f"plants = {args.plants}: must be a single one with store")
     if not args.plants:
         raise ValueError("plants = (): must name at least one")
-    if args.rig is None and len(set(map(rig_of, args.plants))) > 1:
+    if args.rig is None and len(set(map(nominal_rig, args.plants))) > 1:
         raise ValueError(f"plants = {args.plants}: must fly one rig, or rig must name it")
     if args.store and args.plants[0] not in PLANTS:
         raise ValueError(f"plant = {args.plants[0]!r}: must be one of {', '.join(map(repr, PLANTS))}")
@@ -218,7 +218,7 @@ def run(args: Args) -> None:
     """Search, then store and print the best weights and their returns; an interrupt prints the best so far."""
     check(args)
     console = Console()
-    name = args.rig or rig_of(args.plants[0])
+    name = nominal_rig(args.plants[0], args.rig)
     rig = find_rig(name)
     setting = Setting(args.policy, tuple(args.plants), args.objective, args.reference, name, args.force, args.draws)
     helicopters(setting.plants, setting.reference, setting.rig, setting.force, setting.draws)  # errors appear here
@@ -330,7 +330,7 @@ def write_study(
         "policy": args.policy,
         "plants": args.plants,
         "reference": args.reference,
-        "rig": args.rig or rig_of(args.plants[0]),
+        "rig": nominal_rig(args.plants[0], args.rig),
         "objective": args.objective,
         "method": args.method,
         "seed": args.seed,

@@ -49,8 +49,10 @@ def widened(value: Any, more: Uniform) -> Uniform:
     return Uniform(low + more.low, high + more.high)
 
 
-def rig_of(name: str | Plant) -> str:
-    """Nominal rig of a plant, for which its controllers are designed."""
+def nominal_rig(name: str | Plant, given: str | None = None) -> str:
+    """Rig for which the controllers of a plant are designed: the given one if there is one, else the plant's."""
+    if given:
+        return given
     return NOMINAL_RIGS.get(name.removesuffix(OUTSIDE), "paper") if isinstance(name, str) else "paper"
 
 

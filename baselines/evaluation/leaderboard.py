@@ -21,7 +21,7 @@ import numpy as np
 from heli_gym.baselines.control.policies import is_learned
 from heli_gym.baselines.control.weights import tuned_name
 from heli_gym.baselines.evaluation.agents import make_pilot
-from heli_gym.baselines.evaluation.conditions import OUTSIDE, find_condition, rig_of
+from heli_gym.baselines.evaluation.conditions import OUTSIDE, find_condition, nominal_rig
 from heli_gym.baselines.evaluation.engine import Engine
 from heli_gym.baselines.evaluation.labels import label_of
 from heli_gym.baselines.evaluation.scoring import FlightTable, flies_together, score_episodes
@@ -75,7 +75,7 @@ class Settings(NamedTuple):
 
 def policy_on(name: str, plant: str, rig: str = "") -> str:
     """Policy name with @PLANT replaced by the plant, or removed if no weights are stored for it on the rig."""
-    return tuned_name(name, plant.removesuffix(OUTSIDE), find_rig(rig or rig_of(plant)))
+    return tuned_name(name, plant.removesuffix(OUTSIDE), find_rig(nominal_rig(plant, rig)))
 
 
 def batches(policies: Sequence[str], conditions: Sequence[Condition], settings: Settings) -> list[Batch]:
@@ -111,7 +111,7 @@ def reference_on(reference: str, rig: str) -> Trajectory:
 
 def env_settings(condition: Condition, settings: Settings) -> dict[str, Any]:
     """Arguments of the environment for a condition."""
-    rig = settings.rig or rig_of(condition.plant)
+    rig = nominal_rig(condition.plant, settings.rig)
     return {
         "plant": find_condition(condition.plant),
         "reference": reference_on(condition.reference, rig),
@@ -330,7 +330,7 @@ def flyable(wanted: Sequence[Batch], settings: Settings) -> tuple[list[Batch], l
             if not flies_together(pilot, env_settings(condition, settings)["reference"]):
                 alone.add((policy, condition))
         except ValueError as error:
-            if (settings.rig or rig_of(condition.plant)) == "paper" or not is_learned(policy):
+            if nominal_rig(condition.plant, settings.rig) == "paper" or not is_learned(policy):
                 raise
             refused[policy, condition] = f"{policy} is left out on {condition.plant}: {error}"
     flown = [

@@ -11,7 +11,7 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
-from heli_gym.baselines.evaluation.conditions import rig_of
+from heli_gym.baselines.evaluation.conditions import nominal_rig
 from heli_gym.baselines.evaluation.leaderboard import Condition, Settings
 from heli_gym.rig import find_rig
 
@@ -146,7 +146,7 @@ def flight_order(policy: str, condition: Condition, seed: int, settings: Setting
     arguments = {
         "policies": policy,
         "plant": condition.plant,
-        "rig": settings.rig or rig_of(condition.plant),
+        "rig": nominal_rig(condition.plant, settings.rig),
         "reference": condition.reference,
         "episodes": 1,
         "seed": seed,

@@ -7,7 +7,7 @@ from typing import Any, overload
 import numpy as np
 
 from heli_gym.baselines.evaluation.agents import FunctionPolicy, make_pilot
-from heli_gym.baselines.evaluation.conditions import find_condition, rig_of
+from heli_gym.baselines.evaluation.conditions import find_condition, nominal_rig
 from heli_gym.baselines.evaluation.metrics import Metrics, flight_metrics
 from heli_gym.baselines.evaluation.rollout import fly, fly_many
 from heli_gym.baselines.evaluation.statistics import mean_with_interval, rank_crashes_last
@@ -119,7 +119,7 @@ def evaluate(
     if type(seed) is not int or seed < 0:
         raise ValueError(f"seed = {shown(seed)}: must be a whole number, at least 0")
     if rig is None:
-        rig = rig_of(plant) if isinstance(reference, str) else find_reference(reference).rig
+        rig = nominal_rig(plant) if isinstance(reference, str) else find_reference(reference).rig
     settings: dict[str, Any] = {
         "plant": find_condition(plant),
         "reference": reference_for(reference, rig),
