@@ -14,7 +14,7 @@ from rich.progress import track
 from rich.table import Table
 
 from heli_gym.baselines.control.policies import make_policy
-from heli_gym.baselines.evaluation.statistics import pooled_mean_with_interval
+from heli_gym.baselines.evaluation.statistics import mean_with_interval
 from heli_gym.cli import announce_replaced, command, parse
 from heli_gym.env import REFERENCES, find_reference
 from heli_gym.plant import HELD_OUT_SEED
@@ -69,7 +69,9 @@ def rows_of(found: dict[str, dict[str, np.ndarray]]) -> dict[str, dict[str, dict
     for name, group in {**found, "all": pooled}.items():
         rows[name] = {}
         for label, values in group.items():
-            row: dict = {metric: pooled_mean_with_interval(rank_values(values, metric)) for metric in SHOWN}
+            row: dict = {
+                metric: mean_with_interval(rank_values(values, metric), resample_rows=False) for metric in SHOWN
+            }
             rows[name][label] = {**row, "crashes": float(values[METRICS.index("crashed")].mean())}
     return rows
 

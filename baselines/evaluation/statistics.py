@@ -45,20 +45,19 @@ def interval(values: Any) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def mean_with_interval(values: np.ndarray) -> dict[str, Any]:
-    """Interquartile mean of values (seeds, draws) as "iqm", and its "interval" by a bootstrap of seeds and draws."""
-    rng = np.random.default_rng(0)
-    bootstrapped = [interquartile_mean(values[resample_indices(values.shape, rng)]) for _ in range(RESAMPLES)]
-    return {"iqm": interquartile_mean(values), "interval": interval(bootstrapped)}
+def mean_with_interval(values: np.ndarray, resample_rows: bool = True) -> dict[str, Any]:
+    """Interquartile mean of values (seeds, draws) as "iqm", and its "interval" by a bootstrap of seeds and draws.
 
-
-def pooled_mean_with_interval(values: np.ndarray) -> dict[str, Any]:
-    """Interquartile mean of values (M, draws) of all M maneuvers as "iqm", and its "interval".
-
-    The bootstrap resamples the draws, which all maneuvers share; the maneuvers stay as they are.
+    Without `resample_rows`, the bootstrap is of draws alone: for rows that are no sample, like maneuvers, and share the
+    draws.
     """
-    rng, draws = np.random.default_rng(0), values.shape[1]
-    bootstrapped = [interquartile_mean(values[:, rng.integers(draws, size=draws)]) for _ in range(RESAMPLES)]
+    rng = np.random.default_rng(0)
+
+    def resampled() -> np.ndarray:
+        rows, draws = resample_indices(values.shape, rng)
+        return values[rows if resample_rows else np.arange(len(values))[:, None], draws]
+
+    bootstrapped = [interquartile_mean(resampled()) for _ in range(RESAMPLES)]
     return {"iqm": interquartile_mean(values), "interval": interval(bootstrapped)}
 
 
