@@ -318,7 +318,6 @@ class Sweep:
     def run(self, trials: Sequence[Trial], board: Board) -> None:
         """Run the trials that have no record yet."""
         missing = {trial.key: trial for trial in trials if trial.key not in self.records}
-        check_folders(trials, self.records)
         for trial in missing.values():
             board.chunks[trial.key] = train.chunks_of(trial.args)
         board.add_stored(len(trials) - len(missing))
@@ -340,8 +339,10 @@ class Sweep:
             for candidate in candidates:
                 number += 1
                 batch.append(trials_of(study, candidate, f"study, candidate {number}"))
-            self.run([trial for trials in batch for trial in trials], board)
-            proposals.learn([self.value(trials, proposals.search.metric) for trials in batch])
+            trials = [trial for group in batch for trial in group]
+            check_folders(trials, self.records)
+            self.run(trials, board)
+            proposals.learn([self.value(group, proposals.search.metric) for group in batch])
 
     def value(self, trials: Sequence[Trial], metric: str) -> float | None:
         """Mean of a metric over trials, or None if one failed."""
@@ -421,7 +422,7 @@ def run(args: Args) -> None:
         records = read_records(store)
         if not args.resume and (records or store.read("study.json") is not None):
             raise ValueError(f"out: {args.out} holds a study already; --resume goes on with it")
-        if not study.search:
+        if proposals is None:
             check_folders(trials, records)
         store.write("study.json", study.to_json().encode())
         total = len(trials) * (study.search.trials if study.search else 1)
