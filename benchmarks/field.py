@@ -363,7 +363,7 @@ def costs_table(rows: Sequence[dict[str, str]]) -> list[str]:
     lines = ["| policy | µs per step | must know | weights for `lab` |", "|---|---|---|---|"]
     for policy, row in sorted(own.items(), key=lambda item: float(item[1]["microseconds"])):
         path = STUDIES / f"{policy}.json"
-        tuned = "200 candidates of differential evolution" if "@" in policy else "default weights"
+        tuned = "differential evolution, by `heli-tune`" if "@" in policy else "default weights"
         tuned = "training" if policy.startswith("residual") else tuned
         if path.is_file():
             study = json.loads(path.read_text(encoding="utf-8"))
