@@ -1,4 +1,4 @@
-"""What a learned correction gains if it is told the plant's draw: a bound for what any estimate of the draw can give.
+"""What a learned correction gains from knowing the plant's draw: a bound for what any estimate of the draw can give.
 
     python benchmarks/known_draw.py --steps 3840000 --cell 64 --seeds 3
 
@@ -36,12 +36,12 @@ class FromDraw(torch.nn.Module):
         return self.weight @ torch.from_numpy(plant_features(envs).astype(np.float32))
 
 
-def train(args: Args, told: bool) -> APG:
+def train(args: Args, given: bool) -> APG:
     """Agent after all chunks of its training, without files."""
     complete = with_defaults(args)
     torch.set_num_threads(1)
     helicopters = make_helicopters(complete)
-    agent = make_agent(complete, helicopters, FromDraw(args.cell) if told else None)
+    agent = make_agent(complete, helicopters, FromDraw(args.cell) if given else None)
     assert isinstance(agent, APG)
     chunks = chunks_of(complete)
     for number in range(chunks):
@@ -71,9 +71,9 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=3)
     args = parser.parse_args()
     table = Table("the network", "travel (deg)", "elevation (deg)", "cost (s)", "crashes", title=args.plant)
-    for name, told in (("is not told the draw", False), ("is told the draw", True)):
+    for name, given in (("does not know the draw", False), ("knows the draw", True)):
         results = [
-            validate(train(Args(plant=args.plant, cell=args.cell, steps=args.steps, seed=seed), told))
+            validate(train(Args(plant=args.plant, cell=args.cell, steps=args.steps, seed=seed), given))
             for seed in track(range(args.seeds), name)
         ]
         cells = []
