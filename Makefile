@@ -73,8 +73,8 @@ reproduce: $(VENV)/dev
 	    --policies feedforward+tvlqr $(TUNED:%=%@PLANT) adaptive-mpc --oracle 100 --workers $(WORKERS) \
 	    --out out/results || exit 1; \
 	done
-	$(BIN)/heli-results --plant fleet --rig fleet --methods out/train/runs/fleet.fleet/$(METHOD)-initialised \
-	  --against feedforward+tvlqr --policies $(ON_FLEET) --out out/results
+	$(BIN)/heli-results --plant fleet --methods out/train/runs/fleet.fleet/$(METHOD)-initialised \
+	  --against linear-mpc --policies $(ON_FLEET) --out out/results
 	$(BIN)/heli-results --methods out/ablation/runs/lab/* --policies feedforward+tvlqr@PLANT --out out/results/ablation
 	$(BIN)/python -m heli_gym.train.maneuvers --out out/results \
 	  --policies feedforward+tvlqr@lab kalman-lqr@lab adaptive-mpc residual "$(ANY)"
