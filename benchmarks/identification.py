@@ -31,10 +31,11 @@ import h5py
 import numpy as np
 from scipy.io import savemat
 
-from heli_gym.baselines.identification.estimation import SPREAD, Identification, ablation_cases, identify
+from heli_gym.baselines.identification.estimation import Identification, ablation_cases, identify
 from heli_gym.baselines.identification.flight_log import FlightLog
 from heli_gym.baselines.identification.log_quantities import ANGLES
 from heli_gym.baselines.identification.measured_model import MeasuredParameters
+from heli_gym.baselines.identification.multiple_shooting import SPREAD
 from heli_gym.baselines.identification.prediction import (
     MOVING,
     FilteredLog,

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import savgol_filter
 
-from heli_gym.baselines.identification.estimation import COEFFICIENTS, EFFECTS, SPREAD, Shooting
+from heli_gym.baselines.identification.estimation import COEFFICIENTS, EFFECTS
 from heli_gym.baselines.identification.flight_log import FlightLog
 from heli_gym.baselines.identification.measured_model import MeasuredParameters
+from heli_gym.baselines.identification.multiple_shooting import SPREAD, Shooting
 from heli_gym.baselines.identification.simulated import simulate_log
 from heli_gym.parameters import NO_COUPLING, Coupling
 from heli_gym.rig import Rig

@@ -11,14 +11,12 @@ from heli_gym.baselines.commands import identify as command
 from heli_gym.baselines.identification.estimation import (
     COEFFICIENTS,
     EFFECTS,
-    SPREAD,
-    Shooting,
     ablation_cases,
     identify,
-    jackknife,
 )
 from heli_gym.baselines.identification.flight_log import FlightLog
 from heli_gym.baselines.identification.measured_model import MeasuredParameters
+from heli_gym.baselines.identification.multiple_shooting import SPREAD, Shooting, jackknife
 from heli_gym.baselines.identification.prediction import FilteredLog, Settings, horizon_starts, pooled, validate
 from heli_gym.baselines.identification.simulated import hover_of, random_rig, simulate_log, square_waves
 from heli_gym.rig import Rig
