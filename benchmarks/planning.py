@@ -26,7 +26,7 @@ from heli_gym.baselines.paper.boundary_value import COARSE, MAX_NODES, Constrain
 from heli_gym.baselines.paper.riccati import integrate, jacobians_along
 from heli_gym.baselines.paper.shooting import shooter, solve_by_shooting, solve_near, unconstrained_guess
 from heli_gym.baselines.paper.tvlqr import Q, R, integrate_stiff, stationary_cost
-from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning import spline, spline_search
 from heli_gym.baselines.planning.collocation import collocate
 from heli_gym.baselines.planning.other_solvers import multiple_shooting
 from heli_gym.model import virtual_input
@@ -73,10 +73,10 @@ def planning(args: Args) -> dict[str, float]:
     """Durations in s of planners, by row name."""
     maneuver = Maneuver()
     problem, bounds = ConstrainedProblem(maneuver), spline.Bounds(maneuver.rig.thrust_bounds(maneuver.limits.u))
-    start = spline.guess(maneuver, maneuver.duration, spline.SEGMENTS[0])
+    start = spline.guess(maneuver, maneuver.duration, spline_search.SEGMENTS[0])
     near = plan(replace(maneuver, duration=10.1), "paper")
     near_spline = plan(replace(maneuver, duration=10.1), "spline")
-    close = spline.guess_from(maneuver, near_spline, spline.SEGMENTS[0])
+    close = spline.guess_from(maneuver, near_spline, spline_search.SEGMENTS[0])
 
     def paper_guess() -> Solution:
         unconstrained = solve_unconstrained(maneuver)

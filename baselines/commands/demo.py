@@ -31,7 +31,7 @@ from heli_gym.baselines.paper.boundary_value import (
     solve_unconstrained,
 )
 from heli_gym.baselines.paper.tvlqr import Q, R, stationary_cost, stationary_gain
-from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning import spline, spline_search
 from heli_gym.baselines.planning.feasibility import InfeasibleManeuver, start_clock, validated
 from heli_gym.baselines.planning.planner import fastest_spline
 from heli_gym.cli import announce_replaced, command, parse
@@ -279,7 +279,7 @@ def fastest_plan(requested: Maneuver) -> dict[str, Any] | None:
 
 def smooth_plan(requested: Maneuver) -> dict[str, Any] | None:
     """Smoothest spline in the maneuver's duration, packed for the page; None if none is found."""
-    for segments in spline.SEGMENTS:
+    for segments in spline_search.SEGMENTS:
         start = spline.guess(requested, requested.duration, segments)
         found = spline.solve_within_limits(requested, spline.smoothest, start)
         if found is not None and validated(requested, found[1]) is not None:

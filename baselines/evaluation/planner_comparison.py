@@ -20,7 +20,7 @@ from heli_gym.baselines.evaluation.rollout import fly
 from heli_gym.baselines.planning.collocation import collocate
 from heli_gym.baselines.planning.feasibility import ARRIVAL_TOLERANCE, LIMIT_TOLERANCE, InfeasibleManeuver
 from heli_gym.baselines.planning.path import check_ends
-from heli_gym.baselines.planning.spline import easy_duration
+from heli_gym.baselines.planning.spline_search import easy_duration
 from heli_gym.model import dynamics, hover_input, virtual_input
 from heli_gym.parameters import Limits
 from heli_gym.plant import HELD_OUT_SEED

@@ -14,7 +14,7 @@ from heli_gym.baselines.planning.feasibility import (
     start_clock,
     validated,
 )
-from heli_gym.baselines.planning.spline import EASY, easy_duration
+from heli_gym.baselines.planning.spline_search import EASY, easy_duration
 from heli_gym.trajectory import Maneuver, Trajectory
 
 FARTHEST, NEAREST = (

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from heli_gym.baselines.paper.boundary_value import FINE, solve_unconstrained, unconstrained_trajectory
-from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning import spline, spline_search
 from heli_gym.baselines.planning.collocation import collocated_trajectory
 from heli_gym.baselines.planning.feasibility import (
     ATTEMPTS,
@@ -277,21 +277,21 @@ def spline_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Traje
     From a measured state, raises InfeasibleManeuver with the shortest duration if that is longer than the maneuver's.
     """
     if maneuver.start_state is None or maneuver.via:
-        return validated(maneuver, spline.plan_near(maneuver, near, clock.check), clock)
-    found = validated(maneuver, spline.replan(maneuver, near, is_fixed=True), clock)
+        return validated(maneuver, spline_search.plan_near(maneuver, near, clock.check), clock)
+    found = validated(maneuver, spline_search.replan(maneuver, near, is_fixed=True), clock)
     if found is not None:
         return found
-    fastest = spline.fastest_from(maneuver)
+    fastest = spline_search.fastest_from(maneuver)
     if fastest is not None and fastest.duration > maneuver.duration:
         raise slower_than_requested(maneuver, fastest)
-    found = validated(maneuver, spline.replan(maneuver, near, is_fixed=False), clock)
+    found = validated(maneuver, spline_search.replan(maneuver, near, is_fixed=False), clock)
     if found is None and fastest is not None:
-        found = validated(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check), clock)
+        found = validated(maneuver, spline_search.plan_lengthened(maneuver, fastest, clock.check), clock)
     if found is not None:
         return found
-    for longer_by in spline.LADDER:  # short plans, of which the solver finds no fastest one
+    for longer_by in spline_search.LADDER:  # short plans, of which the solver finds no fastest one
         longer = replace(maneuver, duration=maneuver.duration + longer_by)
-        found = validated(longer, spline.plan_few(longer), clock)
+        found = validated(longer, spline_search.plan_few(longer), clock)
         if found is not None:
             if longer_by == 0.0:
                 return found
@@ -303,7 +303,7 @@ def spline_near(maneuver: Maneuver, near: Trajectory, clock: TimeLimit) -> Traje
 
 def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     """Smoothest spline from the initial guess, otherwise by lengthening the fastest spline if that is short enough."""
-    trajectory = validated(maneuver, spline.plan_smoothest(maneuver, check=clock.check), clock)
+    trajectory = validated(maneuver, spline_search.plan_smoothest(maneuver, check=clock.check), clock)
     if trajectory is not None:
         return trajectory
     if any(time is not None for time, *_ in maneuver.via):
@@ -311,7 +311,7 @@ def plan_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
     fastest, trajectory = fastest_spline(maneuver, clock)
     if fastest.duration > maneuver.duration:
         raise slower_than_requested(maneuver, fastest)
-    lengthened = validated(maneuver, spline.plan_lengthened(maneuver, fastest, clock.check), clock)
+    lengthened = validated(maneuver, spline_search.plan_lengthened(maneuver, fastest, clock.check), clock)
     if lengthened is None and maneuver.goal_state is None and not maneuver.periodic:
         lengthened = validated(maneuver, followed_by_hover(trajectory, maneuver), clock)
     if lengthened is None:
@@ -323,7 +323,7 @@ def infeasible_via(maneuver: Maneuver, clock: TimeLimit) -> InfeasibleManeuver:
     """Make the error for via points in given times: names those without which there is a plan."""
     for k in range(len(maneuver.via)):
         others = replace(maneuver, via=maneuver.via[:k] + maneuver.via[k + 1 :])
-        if validated(others, spline.plan_smoothest(others, check=clock.check)) is not None:
+        if validated(others, spline_search.plan_smoothest(others, check=clock.check)) is not None:
             return InfeasibleManeuver(
                 f"no plan found for {maneuver}; without via[{k}] = {maneuver.via[k]} there is one"
             )
@@ -340,7 +340,7 @@ def plan_fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
 
 def plan_objective(maneuver: Maneuver, clock: TimeLimit, name: str, optimum: Callable) -> Trajectory:
     """Spline for an objective in the maneuver's duration; if that fails, the plan of `plan_spline`, with a warning."""
-    found = validated(maneuver, spline.plan_smoothest(maneuver, optimum, clock.check), clock)
+    found = validated(maneuver, spline_search.plan_smoothest(maneuver, optimum, clock.check), clock)
     if found is not None:
         return found
     found = plan_spline(maneuver, clock)
@@ -359,8 +359,8 @@ def plan_reserve(maneuver: Maneuver, clock: TimeLimit) -> Trajectory:
         except ValueError:  # hover exceeds the narrowed limits
             high = share
             continue
-        near = spline.plan_near(narrower, best, clock.check)
-        found = validated(narrower, near or spline.plan_smoothest(narrower, check=clock.check))
+        near = spline_search.plan_near(narrower, best, clock.check)
+        found = validated(narrower, near or spline_search.plan_smoothest(narrower, check=clock.check))
         if found is None:
             high = share
         else:
@@ -384,7 +384,7 @@ def fastest_spline(maneuver: Maneuver, clock: TimeLimit) -> tuple[spline.Spline,
     for share in PITCH_RESERVES[1:] if maneuver.lead else PITCH_RESERVES:
         pitch_min, pitch_max = (1.0 - share) * limits.pitch_min, (1.0 - share) * limits.pitch_max
         narrower = replace(maneuver, limits=replace(limits, pitch_min=pitch_min, pitch_max=pitch_max))
-        found = spline.plan_fastest(narrower, clock.check)
+        found = spline_search.plan_fastest(narrower, clock.check)
         if found is None:
             break
         fastest = found[0]
@@ -476,7 +476,7 @@ def collocated_above(maneuver: Maneuver, clock: TimeLimit) -> Trajectory | None:
 
     Nor do the initial guesses depend on it: a longer duration must not be refused where a shorter one is planned.
     """
-    easy = spline.easy_duration(maneuver)
+    easy = spline_search.easy_duration(maneuver)
     is_timed = any(time is not None for time, *_ in maneuver.via)
     found = []
     for duration in [max(maneuver.duration, easy)] if is_timed else [stretch * easy for stretch in EASIER]:

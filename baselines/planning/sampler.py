@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning import spline_search
 from heli_gym.baselines.planning.feasibility import InfeasibleManeuver, validated
 from heli_gym.parameters import HelicopterParameters, Limits
 from heli_gym.rig import Rig
@@ -63,7 +63,7 @@ class ManeuverSampler:
             maneuver = self.maneuver(rng.uniform(travel[0], travel[1]), start, goal)
             if exceeds_path_limits(maneuver):
                 continue  # the planner would find out a hundred times slower
-            trajectory = validated(maneuver, spline.plan_smoothest(maneuver))
+            trajectory = validated(maneuver, spline_search.plan_smoothest(maneuver))
             if trajectory is not None:
                 return trajectory
         raise InfeasibleManeuver(

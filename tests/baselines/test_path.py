@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from heli_gym import Limits, Maneuver, Trajectory, find_rig, thrust
 from heli_gym.baselines import InfeasibleManeuver, plan, plan_fastest
-from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning import spline, spline_search
 from heli_gym.baselines.planning.path import excesses, path_limits
 
 TRAVEL = np.linspace(0.0, 2.0 * math.pi, 201)
@@ -297,14 +297,14 @@ def test_a_search_is_checked_before_each_solution(monkeypatch):
 
     slewed = Maneuver(duration=60.0, limits=Limits(slew=6.0))
     with pytest.raises(TimeoutError):
-        spline.plan_fastest(slewed, check)
+        spline_search.plan_fastest(slewed, check)
     assert len(solutions) == 3
 
 
 def test_where_no_fastest_plan_is_found_the_smoothest_ones_are_shortened():
     limits = replace(find_rig("quanser").limits, travel_rate=1.1, elevation_rate=0.34, slew=58.0)
     requested = Maneuver((0.0, 0.07), (6.4, -0.11), 60.0, limits, rig="quanser")
-    found, trajectory = spline.plan_shortened(requested, 12.0, spline.unlimited)
+    found, trajectory = spline_search.plan_shortened(requested, 12.0, spline.unlimited)
     assert found.duration == trajectory.duration
     assert 6.4 / 1.1 < found.duration < 9.0
     assert max(excesses(requested, trajectory.t, trajectory.x, trajectory.u).values()) < 1e-6

@@ -11,7 +11,7 @@ from scipy.interpolate import BSpline
 
 from heli_gym import HelicopterParameters, Maneuver
 from heli_gym.baselines import plan_fastest
-from heli_gym.baselines.planning import spline
+from heli_gym.baselines.planning import spline, spline_search
 from heli_gym.baselines.planning.spline_kernel import compiled, derivatives, interpolate, invert
 
 RNG = np.random.default_rng(3)
@@ -134,7 +134,7 @@ def test_more_time_is_smoother():
 
 def test_no_plan_is_found_where_there_is_none():
     requested = Maneuver(duration=8.0)
-    assert spline.plan_smoothest(requested) is None
+    assert spline_search.plan_smoothest(requested) is None
 
 
 @pytest.mark.slow
@@ -147,4 +147,4 @@ def test_random_maneuvers_with_ten_percent_of_the_time_to_spare_are_planned():
         fastest = plan_fastest(requested)
         shortest = shortest_time(requested, fastest, intervals=100)
         assert fastest.duration < 1.05 * shortest
-        assert spline.plan_fastest(replace(requested, duration=1.1 * shortest), lambda: None) is not None
+        assert spline_search.plan_fastest(replace(requested, duration=1.1 * shortest), lambda: None) is not None
